@@ -10,13 +10,13 @@
 #include <optional>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include <hearth/core/agree.hpp>
 #include <hearth/core/error.hpp>
 #include <hearth/core/halo.hpp>
 #include <hearth/core/mesh_traits.hpp>
+#include <hearth/core/remote_faces.hpp>
 
 namespace hearth::detail {
 
@@ -36,8 +36,9 @@ class graph_builder {
                           "hearth: mesh_traits<Mesh> lacks  for_each_remote_face(mesh, visit), needed on several ranks");
             read_remote_faces();
             agree();
-            match_remote_faces();
+            wrong_ = match_remote_faces(remote_, communicator_, has_faces_v<Mesh>);
             agree();
+            make_halo();
         }
         fill_rows();
         agree();
@@ -60,20 +61,6 @@ class graph_builder {
   private:
     using traits = mesh_traits<Mesh>;
     using host_index = typename traits::index;
-
-    /// A face to a cell of another rank, by global indices.
-    struct remote_face {
-        int rank;
-        std::int64_t here;
-        std::int64_t there;
-        double conductance;
-    };
-    /// The same as it travels.
-    struct mirrored_face {
-        std::int64_t sender;
-        std::int64_t receiver;
-        double conductance;
-    };
 
     void agree() { throw_agreed(communicator_, wrong_); }
 
@@ -154,80 +141,26 @@ class graph_builder {
                     remote_.push_back({rank, id(static_cast<std::int32_t>(cell)), there, conductance});
                 }
             });
-        std::sort(remote_.begin(), remote_.end(), [](const remote_face& a, const remote_face& b) {
-            return std::tie(a.rank, a.here, a.there, a.conductance) < std::tie(b.rank, b.here, b.there, b.conductance);
-        });
-    }
-
-    /// Both ranks must list each face between them; the conductance is that of the side with the lower index.
-    void match_remote_faces() {
-        std::vector<parcel<mirrored_face>> outgoing;
-        for (const remote_face& face : remote_) {
-            if (outgoing.empty() || outgoing.back().rank != face.rank) outgoing.push_back({face.rank, {}});
-            outgoing.back().values.push_back({face.here, face.there, face.conductance});
-        }
-        std::size_t next = 0;
-        for (auto& from : communicator_.exchange(std::move(outgoing))) {
-            std::sort(from.values.begin(), from.values.end(), [](const mirrored_face& a, const mirrored_face& b) {
-                return std::tie(a.receiver, a.sender, a.conductance) < std::tie(b.receiver, b.sender, b.conductance);
-            });
-            // Faces here that the other rank is silent about stand before, those of ranks that sent nothing too.
-            while (next < remote_.size() && remote_[next].rank < from.rank) unanswered(remote_[next++]);
-            for (const mirrored_face& theirs : from.values) {
-                if (next == remote_.size() || remote_[next].rank != from.rank || remote_[next].here != theirs.receiver ||
-                    remote_[next].there != theirs.sender) {
-                    complain("face between ranks of cell", theirs.receiver, static_cast<double>(theirs.sender),
-                             "neighbour listed by both ranks");
-                    break;
-                }
-                remote_face& mine = remote_[next++];
-                if (has_faces_v<Mesh> && !(std::abs(mine.conductance - theirs.conductance) <=
-                                           1e-6 * std::max(mine.conductance, theirs.conductance))) {
-                    complain("conductance of a remote face of cell", mine.here, mine.conductance,
-                             "the same on both ranks, which say otherwise [m]");
-                }
-                if (mine.there < mine.here) mine.conductance = theirs.conductance;
-            }
-            while (next < remote_.size() && remote_[next].rank == from.rank) unanswered(remote_[next++]);
-        }
-        while (next < remote_.size()) unanswered(remote_[next++]);
-        if (!wrong_) make_halo();
-    }
-
-    void unanswered(const remote_face& face) {
-        complain("face between ranks of cell", face.here, static_cast<double>(face.there),
-                 "neighbour listed by both ranks");
     }
 
     /// Ghosts in order of rank and global index; the exporting rank lists its cells in the same order.
     void make_halo() {
-        std::vector<std::pair<int, std::int64_t>> ghosts, exported;
+        halo_cells exported;
         for (const remote_face& face : remote_) {
-            ghosts.emplace_back(face.rank, face.there);
-            exported.emplace_back(face.rank, face.here);
+            ghosts_.cells.emplace_back(face.rank, face.there);
+            exported.cells.emplace_back(face.rank, face.here);
         }
-        for (auto* list : {&ghosts, &exported}) {
-            std::sort(list->begin(), list->end());
-            list->erase(std::unique(list->begin(), list->end()), list->end());
-        }
-        const auto links = [](const std::vector<std::pair<int, std::int64_t>>& list) {
-            std::vector<link> result;
-            for (std::size_t k = 0; k < list.size(); ++k) {
-                if (result.empty() || result.back().rank != list[k].first) result.push_back({list[k].first, k, k});
-                result.back().end = k + 1;
-            }
-            return result;
-        };
-        imports = links(ghosts);
-        exports = links(exported);
-        for (const auto& [rank, g] : ghosts) {
+        ghosts_.tidy();
+        exported.tidy();
+        imports = ghosts_.links();
+        exports = exported.links();
+        for (const auto& [rank, g] : ghosts_.cells) {
             ghost_owners.push_back(rank);
             global.push_back(g);
         }
-        for (const auto& [rank, g] : exported) export_cells.push_back(find_owned(g));
-        volumes.resize(volumes.size() + ghosts.size());
+        for (const auto& [rank, g] : exported.cells) export_cells.push_back(find_owned(g));
+        volumes.resize(volumes.size() + ghosts_.cells.size());
         halo<Communicator>(communicator_, owned, export_cells, exports, imports).gather(volumes.data());
-        ghosts_ = std::move(ghosts);
     }
 
     void check_conductance(std::int64_t cell, double conductance) {
@@ -262,8 +195,8 @@ class graph_builder {
             }
         }
         for (const remote_face& face : remote_) {
-            const auto ghost = std::lower_bound(ghosts_.begin(), ghosts_.end(), std::pair(face.rank, face.there));
-            visit(find_owned(face.here), owned + static_cast<std::int32_t>(ghost - ghosts_.begin()), face.conductance);
+            const auto ghost = std::lower_bound(ghosts_.cells.begin(), ghosts_.cells.end(), std::pair(face.rank, face.there));
+            visit(find_owned(face.here), owned + static_cast<std::int32_t>(ghost - ghosts_.cells.begin()), face.conductance);
         }
     }
 
@@ -350,7 +283,7 @@ class graph_builder {
     std::optional<bad_value> wrong_;
     std::vector<std::int32_t> by_id_;  // owned cells in order of their global indices
     std::vector<remote_face> remote_;
-    std::vector<std::pair<int, std::int64_t>> ghosts_;
+    halo_cells ghosts_;
 };
 
 }  // namespace hearth::detail
