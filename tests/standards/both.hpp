@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <stdexcept>
+#include <hearth/hearth.hpp>
 
-/// What the two translation units answer; main compares.
-struct answers {
-    long standard;
-};
-answers cxx17();
-answers cxx20();
+/// What one translation unit makes and the other uses, in both directions.
+namespace cxx17 {
+long standard();
+hearth::cell_graph<> build(const hearth::lattice& mesh);
+double volume(const hearth::cell_graph<>& graph);
+}  // namespace cxx17
+
+namespace cxx20 {
+long standard();
+hearth::cell_graph<> build(const hearth::lattice& mesh);
+double volume(const hearth::cell_graph<>& graph);
+}  // namespace cxx20

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// Everything that needs only the standard library.  Of the rest, include what you use:
+///     <hearth/eigen.hpp>       closures on Eigen's lanes and dual numbers
+///     <hearth/mpi/...>         ranks; link hearth::mpi
+///     <hearth/adapt/...>       the traits of a host; include only yours
+
+#include <hearth/version.hpp>
+
+#include <hearth/core/agree.hpp>
+#include <hearth/core/assert.hpp>
+#include <hearth/core/cell_graph.hpp>
+#include <hearth/core/communicator.hpp>
+#include <hearth/core/constants.hpp>
+#include <hearth/core/contact_traits.hpp>
+#include <hearth/core/csr_graph.hpp>
+#include <hearth/core/error.hpp>
+#include <hearth/core/face_mesh.hpp>
+#include <hearth/core/function.hpp>
+#include <hearth/core/graph_builder.hpp>
+#include <hearth/core/halo.hpp>
+#include <hearth/core/interval.hpp>
+#include <hearth/core/lattice.hpp>
+#include <hearth/core/mesh_traits.hpp>
+#include <hearth/core/particle_traits.hpp>
+#include <hearth/core/quantity.hpp>
+#include <hearth/core/remote_faces.hpp>
+#include <hearth/core/reproducible_sum.hpp>
+#include <hearth/core/scalar.hpp>
+#include <hearth/core/strided_cloud.hpp>
+
+#include <hearth/closure/gunn.hpp>
