@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <hearth/gas/vector3.hpp>
+
+namespace hearth::gas {
+
+/// A mesh that no finite-volume method can use.  Names the cell or the face (-1 where it is not the place).
+struct mesh_error : std::invalid_argument {
+    mesh_error(const std::string& text, int cell_, int face_)
+        : std::invalid_argument("hearth::gas: mesh: " + text), cell(cell_), face(face_) {}
+    int cell, face;
+};
+
+/// Consecutive boundary faces that share one condition.
+struct patch {
+    std::string name;
+    int first = 0;  ///< first face
+    int count = 0;  ///< number of faces
+};
+
+/// Points and the faces spanned by them: what a generator or a reader hands in.
+struct polyhedra {
+    std::vector<vector3> points;     ///< [m]
+    std::vector<int> face_first;     ///< size faces + 1: where the points of a face begin in face_points
+    std::vector<int> face_points;    ///< point numbers, turning right-handed about the area vector
+    std::vector<int> owner;          ///< one per face
+    std::vector<int> neighbour;      ///< one per internal face; internal faces come first
+    std::vector<patch> patches;      ///< in face order, covering every boundary face
+};
+
+/// Face-addressed polyhedral mesh.
+///
+/// Faces: first those between two owned cells, then those towards ghost cells (only in a distributed mesh), then the
+/// boundary, patch by patch.  The area vector points from the owner to the neighbour, or out of the domain.
+/// Cells: owned cells first, then ghosts.
+class mesh {
+  public:
+    mesh() = default;
+
+    /// Computes the geometry and checks it: closed cells, positive volumes, owner below neighbour, patches complete,
+    /// every point finite.  Throws mesh_error.
+    explicit mesh(polyhedra shape, int ghost_cells = 0);
+
+    int owned_cells() const { return owned_cells_; }
+    int cells() const { return static_cast<int>(volume.size()); }  ///< with ghosts
+    int faces() const { return static_cast<int>(owner.size()); }
+    int internal_faces() const { return static_cast<int>(neighbour.size()); }
+    int boundary_faces() const { return faces() - internal_faces(); }
+
+    /// The patch of that name; throws std::invalid_argument that lists the names there are.
+    const patch& find_patch(const std::string& name) const;
+    double area_of(const patch& p) const;  ///< [m^2]
+
+    /// The owned cell that holds the point, or -1.  A point on a face belongs to one of its cells.
+    int find_cell(const vector3& point) const;
+
+    std::vector<int> owner, neighbour;
+    std::vector<vector3> area;         ///< [m^2] per face
+    std::vector<vector3> face_centre;  ///< [m]
+    std::vector<vector3> centre;       ///< [m] per cell
+    std::vector<double> volume;        ///< [m^3] per cell
+    std::vector<double> owner_weight;  ///< per internal face: weight of the owner in a linear interpolation [-]
+    std::vector<double> conductance;   ///< per face: |S|^2 / (S.d), d from centre to centre (or to the face) [m]
+    std::vector<patch> patches;
+    polyhedra shape;                   ///< points and faces, for output and location
+    std::vector<std::int64_t> global;  ///< per cell: number in the undivided mesh; empty where that is the cell itself
+    double largest_angle = 0;          ///< greatest angle between face normal and the line of centres [degree]
+
+  private:
+    void compute_geometry();
+    void check_topology() const;
+    void check_geometry();
+    void build_bins();
+
+    int owned_cells_ = 0;
+    // uniform bins over the bounding box; each lists the cells whose box touches it
+    vector3 low_, bin_size_;
+    int bins_[3] = {0, 0, 0};
+    std::vector<int> bin_first_, bin_cells_, cell_face_first_, cell_faces_;
+};
+
+/// Cells in reverse Cuthill-McKee order and faces sorted by owner, then neighbour: near cells lie near in memory.
+/// Patches keep their order.  `new_of_old`, where given, receives the new number of each cell.
+polyhedra renumbered(const polyhedra& shape, std::vector<int>* new_of_old = nullptr);
+
+}  // namespace hearth::gas
