@@ -171,9 +171,15 @@ class graph_builder {
         }
     }
 
-    bool is_owned(std::int64_t from, std::int64_t cell) {
-        if (cell >= 0 && cell < owned) return true;
-        complain("neighbour of cell", from, static_cast<double>(cell), "0 to cell_count - 1");
+    bool is_link(std::int64_t cell, std::int64_t neighbour) {
+        if (cell < 0 || cell >= owned) {
+            complain("cell of a face", bad_value::no_index, static_cast<double>(cell), "0 to cell_count - 1");
+        } else if (neighbour < 0 || neighbour >= owned) {
+            complain("neighbour of cell", id(static_cast<std::int32_t>(cell)), static_cast<double>(neighbour),
+                     "0 to cell_count - 1");
+        } else {
+            return neighbour != cell;
+        }
         return false;
     }
 
@@ -182,7 +188,7 @@ class graph_builder {
     void for_each_link(Visit&& visit) {
         if constexpr (has_faces_v<Mesh>) {
             traits::for_each_face(mesh_, [&](host_index a, host_index b, double, double conductance) {
-                if (a == b || !is_owned(b, a) || !is_owned(a, b)) return;
+                if (!is_link(a, b)) return;
                 check_conductance(id(static_cast<std::int32_t>(a)), conductance);
                 visit(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), conductance);
                 visit(static_cast<std::int32_t>(b), static_cast<std::int32_t>(a), conductance);
@@ -190,7 +196,7 @@ class graph_builder {
         } else {
             for (std::int32_t c = 0; c < owned; ++c) {
                 traits::for_each_neighbour(mesh_, static_cast<host_index>(c), [&](host_index n) {
-                    if (n != c && is_owned(id(c), n)) visit(c, static_cast<std::int32_t>(n), 0.0);
+                    if (is_link(c, n)) visit(c, static_cast<std::int32_t>(n), 0.0);
                 });
             }
         }

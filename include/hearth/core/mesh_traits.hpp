@@ -25,13 +25,16 @@ using point = std::array<double, 3>;
 ///
 /// Tier 1, located (deposit)
 ///     Point  centre(mesh, cell)                                [m], anything with [0], [1], [2]
-///     index  find_cell(mesh, point)                            owned cell that holds the point, or -1
+///     index  find_cell(mesh, point)                            optional: owned cell that holds the point, or -1
+///                                                              (default: the cell whose centre is nearest)
 ///     Point  extent(mesh, cell)                                [m], optional: lengths of the cell along x, y, z
 ///                                                              (default: the cube root of its volume in each)
 ///
 /// Tier 2, faced (kernel smoother, gas)
 ///     void   for_each_face(mesh, visit)                        every face between two owned cells once;
-///                                                              conductance = area / distance of centres along the normal
+///                                                              conductance = area / distance of centres along the normal;
+///                                                              several faces between two cells add up, a face of a
+///                                                              cell with itself (periodic, one cell wide) is left out
 ///     void   for_each_boundary_face(mesh, visit)               optional: visit(face, cell, patch, area [m^2])
 ///
 /// Parallel: what a host adds when its mesh is spread over ranks
@@ -47,9 +50,6 @@ template <class Mesh, class Enable = void>
 struct mesh_traits {
     using not_specialised = void;
 };
-
-/// One face more than once between two cells counts as one, conductances added; a face of a cell with itself
-/// (periodic, one cell wide) carries nothing and is left out.
 
 namespace detail {
 
@@ -113,6 +113,7 @@ template <class Mesh> using mesh_scalar_t = typename detail::scalar_of<detail::t
 template <class Mesh> inline constexpr bool has_neighbours_v = detail::has_v<detail::neighbour_call, Mesh>;
 template <class Mesh> inline constexpr bool has_faces_v = detail::has_v<detail::face_call, Mesh>;
 template <class Mesh> inline constexpr bool has_boundary_faces_v = detail::has_v<detail::boundary_face_call, Mesh>;
+template <class Mesh> inline constexpr bool has_find_cell_v = detail::has_v<detail::find_cell_call, Mesh>;
 template <class Mesh> inline constexpr bool has_extent_v = detail::has_v<detail::extent_call, Mesh>;
 template <class Mesh> inline constexpr bool has_global_index_v = detail::has_v<detail::global_index_call, Mesh>;
 template <class Mesh> inline constexpr bool has_remote_faces_v = detail::has_v<detail::remote_face_call, Mesh>;
@@ -128,8 +129,7 @@ inline constexpr bool is_cell_graph_v =
 
 /// Tier 1: enough to deposit particles.
 template <class Mesh>
-inline constexpr bool is_located_mesh_v = is_cell_graph_v<Mesh> && detail::has_v<detail::centre_call, Mesh> &&
-                                          detail::has_v<detail::find_cell_call, Mesh>;
+inline constexpr bool is_located_mesh_v = is_cell_graph_v<Mesh> && detail::has_v<detail::centre_call, Mesh>;
 
 /// Tier 2: enough for the kernel smoother.
 template <class Mesh>
@@ -168,12 +168,9 @@ constexpr void require_cell_graph() {
 template <class Mesh>
 constexpr void require_located_mesh() {
     require_cell_graph<Mesh>();
-    if constexpr (is_cell_graph_v<Mesh> && !detail::has_v<detail::centre_call, Mesh>) {
+    if constexpr (is_cell_graph_v<Mesh>) {
         static_assert(detail::has_v<detail::centre_call, Mesh>,
                       "hearth: mesh_traits<Mesh> lacks  point centre(mesh, cell)  [m]");
-    } else if constexpr (is_cell_graph_v<Mesh>) {
-        static_assert(detail::has_v<detail::find_cell_call, Mesh>,
-                      "hearth: mesh_traits<Mesh> lacks  index find_cell(mesh, point)");
     }
 }
 
