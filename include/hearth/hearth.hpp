@@ -12,6 +12,7 @@
 #include <hearth/core/assert.hpp>
 #include <hearth/core/cell_graph.hpp>
 #include <hearth/core/communicator.hpp>
+#include <hearth/core/conformance.hpp>
 #include <hearth/core/constants.hpp>
 #include <hearth/core/contact_traits.hpp>
 #include <hearth/core/csr_graph.hpp>
@@ -30,4 +31,7 @@
 #include <hearth/core/scalar.hpp>
 #include <hearth/core/strided_cloud.hpp>
 
-#include <hearth/closure/gunn.hpp>
+
+
+
+

@@ -1,0 +1,213 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Error against run time: reads the JSON files of Google Benchmark, writes report.md and one figure per family.
+
+usage: report.py [--bands FILE] [--output DIR] [--accept] JSON...
+
+Names of benchmarks are FAMILY/METHOD/PARAMETER:VALUE[/...], see README.md.  Every value of the counter `error` must lie
+in its band of bands.csv (name, lowest, highest, seconds); the script fails if one does not, if a benchmark has no band,
+or if a band of a family that was run has no benchmark.  Run time only warns: machines differ.  --accept writes the bands
+anew around this run; the change is then seen in review.
+"""
+import argparse
+import collections
+import csv
+import json
+import math
+import pathlib
+import re
+import sys
+
+SLOWER_WARNS = 2.0        # run time over the recorded one that is worth a line
+BAND = 1.25               # width of an accepted band, up and down
+EXACT = 1e-12             # an error below this is round-off: its band is [0, 10 * EXACT]
+SUFFIX = re.compile(r"/(real_time|process_time|manual_time|iterations:\d+|repeats:\d+|threads:\d+)")
+UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
+OURS = {"name", "family_index", "per_family_instance_index", "run_name", "run_type", "repetitions", "threads",
+        "repetition_index", "iterations", "real_time", "cpu_time", "time_unit", "label", "error", "per_item",
+        "over_stream", "items_per_second", "bytes_per_second"}
+# Okabe and Ito's palette: distinct for every kind of colour vision.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8C6D1F"]
+MARKERS = "osD^vP*X"
+AXES = {"d_dx": "particle over cell size d/dx [-]", "gamma": "acceleration factor [-]", "dt": "step [s]",
+        "cells": "cells [-]", "steps": "steps [-]", "ranks": "ranks [-]"}
+
+Point = collections.namedtuple("Point", "name family method parameter value seconds error counters label")
+
+
+def read(files):
+    points = []
+    for file in files:
+        for entry in json.loads(pathlib.Path(file).read_text())["benchmarks"]:
+            if entry.get("error_occurred"):
+                sys.exit(f"report: {entry['name']} failed: {entry['error_message']}")
+            if entry["run_type"] != "iteration":
+                continue
+            name = SUFFIX.sub("", entry["name"])
+            family, method, *rest = name.split("/") + ([] if "/" in name else [""])
+            parameter, _, value = (rest[-1] if rest else "").partition(":")
+            wall = any(kind in entry["name"] for kind in ("/real_time", "/manual_time"))
+            seconds = entry["real_time" if wall else "cpu_time"] * UNITS[entry["time_unit"]]
+            counters = {key: entry[key] for key in entry if key not in OURS or key in ("per_item", "over_stream")}
+            points.append(Point(name, family, " ".join([method, *rest[:-1]]), parameter, value, seconds,
+                                entry.get("error"), counters, entry.get("label", "")))
+    return points
+
+
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+def si(value, unit=""):
+    """Three digits with an SI prefix."""
+    if value == 0 or not math.isfinite(value):
+        return f"{value:g} {unit}".strip()
+    exponent = max(-12, min(9, 3 * math.floor(math.log10(abs(value)) / 3)))
+    prefix = {-12: "p", -9: "n", -6: "u", -3: "m", 0: "", 3: "k", 6: "M", 9: "G"}[exponent]
+    return f"{value / 10.0 ** exponent:.3g} {prefix}{unit}".strip()
+
+
+def table(points):
+    extra = sorted({key for point in points for key in point.counters})
+    head = ["method", points[0].parameter or "parameter", "run time", "error", *(key.replace("_", " ") for key in extra)]
+    rows = ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)]
+    for point in points:
+        cells = [point.method, point.value, si(point.seconds, "s"), "" if point.error is None else f"{point.error:.3g}"]
+        for key in extra:
+            value = point.counters.get(key)
+            cells.append("" if value is None else si(value, "s") if key == "per_item" else f"{value:.4g}")
+        rows.append("| " + " | ".join(cells) + " |")
+    return "\n".join(rows)
+
+
+def draw(family, points, file):
+    """Error over run time, one curve per method; beside it error over the parameter, if the methods share one."""
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    methods = list(dict.fromkeys(point.method for point in points))
+    shared = {point.parameter for point in points}
+    over_parameter = len(shared) == 1 and all(number(point.value) for point in points) \
+        and len({point.value for point in points}) > 2
+    positive = [point.error for point in points if point.error > 0]
+    floor = 10 ** math.floor(math.log10(min(positive)) - 1) if positive else 1e-17
+    figure, axes = plt.subplots(1, 2 if over_parameter else 1, figsize=(11 if over_parameter else 6.5, 4.6),
+                                squeeze=False, sharey=True, layout="constrained")
+    panels = [("run time [s]", lambda point: point.seconds)]
+    if over_parameter:
+        panels.append((AXES.get(points[0].parameter, points[0].parameter), lambda point: number(point.value)))
+    ends = []
+    for panel, (axis, (label, abscissa)) in enumerate(zip(axes[0], panels)):
+        for index, method in enumerate(methods):
+            curve = [point for point in points if point.method == method]
+            x = [abscissa(point) for point in curve]
+            y = [max(point.error, floor) for point in curve]
+            colour = COLOURS[index % len(COLOURS)]
+            axis.plot(x, y, color=colour, marker=MARKERS[index % len(MARKERS)], markersize=5, linewidth=1.6,
+                      linestyle="-" if index < len(COLOURS) else "--")
+            if panel == len(panels) - 1:
+                ends.append((y[-1], x[-1], method, colour))
+        axis.set_xscale("log")
+        axis.set_yscale("log")
+        axis.set_xlabel(label)
+        if panel == 1:
+            ticks = sorted({abscissa(point) for point in points})
+            axis.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+            axis.tick_params(axis="x", which="minor", bottom=False, labelbottom=False)
+        axis.grid(True, which="major", color="0.9")
+        axis.spines[["top", "right"]].set_visible(False)
+    unit = next((point.label for point in points if point.label), "")
+    axes[0][0].set_ylabel("error" + (f" [{unit}]" if unit else " [-]"))
+    figure.suptitle(family)
+
+    # The names stand at the ends of the curves, pushed apart where they would touch.
+    axis = axes[0][-1]
+    low, high = (math.log10(limit) for limit in axis.get_ylim())
+    step, previous = (high - low) / 22, -math.inf
+    for y, x, method, colour in sorted(ends):
+        height = max(math.log10(y), previous + step)
+        previous = height
+        axis.annotate(method, (x, y), xytext=(1.03, (height - low) / (high - low)), textcoords="axes fraction",
+                      color=colour, fontsize=9, va="center",
+                      arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.5, "alpha": 0.5})
+    figure.savefig(file, dpi=150)
+    plt.close(figure)
+
+
+def read_bands(file):
+    if not file.exists():
+        return {}
+    with file.open(newline="") as stream:
+        return {row["name"]: {key: float(row[key]) for key in ("lowest", "highest", "seconds")}
+                for row in csv.DictReader(stream)}
+
+
+def accept(points, bands, file):
+    for point in points:
+        low, high = (0.0, 10 * EXACT) if point.error < EXACT else (point.error / BAND, point.error * BAND)
+        bands[point.name] = {"lowest": low, "highest": high, "seconds": point.seconds}
+    with file.open("w", newline="") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(["name", "lowest", "highest", "seconds"])
+        for name in sorted(bands):
+            writer.writerow([name, *(f"{bands[name][key]:.3g}" for key in ("lowest", "highest", "seconds"))])
+
+
+def check(points, bands):
+    """Returns what is wrong; prints what is only slow."""
+    wrong = []
+    for point in points:
+        band = bands.get(point.name)
+        if band is None:
+            wrong.append(f"{point.name}: error {point.error:.3g} has no band yet (--accept)")
+        elif not band["lowest"] <= point.error <= band["highest"]:
+            wrong.append(f"{point.name}: error {point.error:.3g} is outside [{band['lowest']:g}, {band['highest']:g}]")
+        elif point.seconds > SLOWER_WARNS * band["seconds"]:
+            print(f"warning: {point.name} took {si(point.seconds, 's')}, recorded {si(band['seconds'], 's')}")
+    names, families = {point.name for point in points}, {point.family for point in points}
+    wrong += [f"{name}: has a band, but was not run" for name in sorted(bands)
+              if name not in names and name.split("/")[0] in families]
+    return wrong
+
+
+def main():
+    here = pathlib.Path(__file__).resolve().parent
+    parser = argparse.ArgumentParser(description="Error against run time from Google Benchmark's JSON")
+    parser.add_argument("json", nargs="+")
+    parser.add_argument("--bands", type=pathlib.Path, default=here / "bands.csv")
+    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("report"))
+    parser.add_argument("--accept", action="store_true", help="write the bands anew around this run")
+    arguments = parser.parse_args()
+
+    points = read(arguments.json)
+    arguments.output.mkdir(parents=True, exist_ok=True)
+    text = ["# Error against run time", "", "Run time is of one iteration; `over stream` is run time over the time that "
+            "the bytes which must move take at the STREAM bandwidth of the same run.", ""]
+    for family in dict.fromkeys(point.family for point in points):
+        members = [point for point in points if point.family == family]
+        text += [f"## {family}", "", table(members), ""]
+        curves = [point for point in members if point.error is not None]
+        if curves:
+            figure = re.sub(r"[^a-z0-9]+", "_", family.lower()).strip("_") + ".png"
+            draw(family, curves, arguments.output / figure)
+            text += [f"![{family}]({figure})", ""]
+    (arguments.output / "report.md").write_text("\n".join(text))
+    print(f"report: {arguments.output / 'report.md'}")
+
+    with_error = [point for point in points if point.error is not None]
+    bands = read_bands(arguments.bands)
+    if arguments.accept:
+        accept(with_error, bands, arguments.bands)
+        return 0
+    wrong = check(with_error, bands)
+    for line in wrong:
+        print("error: " + line, file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
