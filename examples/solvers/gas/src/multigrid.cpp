@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <hearth/gas/linear.hpp>
+
+namespace hearth::gas {
+
+namespace {
+
+using sparse = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
+
+/// Compressed rows in single precision: a preconditioner needs no more, and half the bytes are half the time.
+struct rows {
+    std::vector<int> first, column;
+    std::vector<float> value;
+
+    rows() = default;
+    explicit rows(const sparse& a)
+        : first(a.outerIndexPtr(), a.outerIndexPtr() + a.rows() + 1),
+          column(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros()),
+          value(a.nonZeros()) {
+        for (Eigen::Index i = 0; i < a.nonZeros(); ++i) value[i] = static_cast<float>(a.valuePtr()[i]);
+    }
+    float times(int row, const float* x) const {
+        float sum = 0;
+        for (int i = first[row]; i < first[row + 1]; ++i) sum += value[i] * x[column[i]];
+        return sum;
+    }
+};
+
+struct level {
+    rows off;                              // off-diagonal part
+    std::vector<float> diagonal;
+    rows to_fine, to_coarse;               // towards the next level
+    std::vector<float> x, b, r;
+};
+
+/// Groups of strongly coupled cells.  Returns the group of each cell and their number.
+std::vector<int> aggregate(const sparse& strong, int& groups) {
+    const int n = static_cast<int>(strong.rows());
+    std::vector<int> group(n, -1);
+    groups = 0;
+    for (int c = 0; c < n; ++c) {  // cells whose strong neighbours are all free begin a group
+        bool free = group[c] < 0;
+        for (sparse::InnerIterator i(strong, c); free && i; ++i) free = group[i.col()] < 0;
+        if (!free) continue;
+        group[c] = groups;
+        for (sparse::InnerIterator i(strong, c); i; ++i) group[i.col()] = groups;
+        ++groups;
+    }
+    std::vector<int> joined = group;
+    for (int c = 0; c < n; ++c) {  // the rest join the group that they are most strongly coupled to
+        double most = 0;
+        if (group[c] >= 0) continue;
+        for (sparse::InnerIterator i(strong, c); i; ++i)
+            if (i.col() != c && group[i.col()] >= 0 && -i.value() > most) {
+                most = -i.value();
+                joined[c] = group[i.col()];
+            }
+    }
+    for (int c = 0; c < n; ++c) {  // cells that are coupled to none of those
+        if (joined[c] >= 0) continue;
+        joined[c] = groups;
+        for (sparse::InnerIterator i(strong, c); i; ++i)
+            if (joined[i.col()] < 0) joined[i.col()] = groups;
+        ++groups;
+    }
+    return joined;
+}
+
+/// The matrix with couplings below `threshold` added to the diagonal.
+sparse strong_part(const sparse& a, double threshold) {
+    const Eigen::VectorXd d = a.diagonal();
+    std::vector<Eigen::Triplet<double, int>> entries;
+    entries.reserve(a.nonZeros());
+    for (int c = 0; c < a.rows(); ++c) {
+        double diagonal = 0;
+        for (sparse::InnerIterator i(a, c); i; ++i) {
+            const bool keep = i.col() != c && i.value() * i.value() > threshold * threshold * d[c] * d[i.col()];
+            if (keep) entries.emplace_back(c, static_cast<int>(i.col()), i.value());
+            else diagonal += i.value();
+        }
+        // lumping weak positive couplings must not empty the row
+        entries.emplace_back(c, c, std::max(diagonal, 0.1 * d[c]));
+    }
+    sparse out(a.rows(), a.cols());
+    out.setFromTriplets(entries.begin(), entries.end());
+    return out;
+}
+
+/// Piecewise constant prolongation smoothed by one damped Jacobi step.
+sparse prolongation(const sparse& strong, const std::vector<int>& group, int groups) {
+    const int n = static_cast<int>(strong.rows());
+    sparse tentative(n, groups);
+    std::vector<Eigen::Triplet<double, int>> entries;
+    for (int c = 0; c < n; ++c) entries.emplace_back(c, group[c], 1.0);
+    tentative.setFromTriplets(entries.begin(), entries.end());
+    sparse smoother = strong;
+    double radius = 0;  // Gershgorin bound of D^-1 A
+    for (int c = 0; c < n; ++c) {
+        double diagonal = 0, sum = 0;
+        for (sparse::InnerIterator i(smoother, c); i; ++i) {
+            if (i.col() == c) diagonal = i.value();
+            sum += std::abs(i.value());
+        }
+        radius = std::max(radius, sum / diagonal);
+        for (sparse::InnerIterator i(smoother, c); i; ++i) i.valueRef() /= diagonal;
+    }
+    const sparse smoothed = smoother * tentative;
+    return tentative - (4.0 / 3.0 / radius) * smoothed;
+}
+
+class multigrid final : public preconditioner {
+  public:
+    explicit multigrid(const pattern& p) : shape_(&p) {
+        fine_.off.first = p.first;
+        fine_.off.column = p.column;
+        // a rank sees its own block only: entries of ghost columns are kept as zero, column 0 stands in
+        for (int& c : fine_.off.column) c = c < p.rows ? c : 0;
+        fine_.off.value.resize(p.column.size());
+        fine_.diagonal.resize(p.rows);
+    }
+
+    void rebuild() override { built_ = false; }
+
+    void update(const matrix& a) override {
+        const pattern& p = *shape_;
+        for (std::size_t i = 0; i < a.entry.size(); ++i)
+            fine_.off.value[i] = p.column[i] < p.rows ? static_cast<float>(a.entry[i]) : 0.0F;
+        for (int c = 0; c < p.rows; ++c) fine_.diagonal[c] = static_cast<float>(a.diagonal[c]);
+        if (!built_) build(a);
+        built_ = true;
+    }
+
+    void apply(const double* residual, double* correction) override {
+        const int n = shape_->rows;
+        // scaled to order one, so that no field is too small or large for single precision
+        double scale = 0;
+        for (int i = 0; i < n; ++i) scale = std::max(scale, std::abs(residual[i]));
+        if (!(scale > 0) || !std::isfinite(scale)) {
+            std::fill_n(correction, n, 0.0);
+            return;
+        }
+        for (int i = 0; i < n; ++i) fine_.b[i] = static_cast<float>(residual[i] / scale * unit_);
+        cycle(0);
+        for (int i = 0; i < n; ++i) correction[i] = static_cast<double>(fine_.x[i]) * (scale / unit_);
+    }
+
+  private:
+    level& at(std::size_t l) { return l == 0 ? fine_ : coarse_[l - 1]; }
+
+    void build(const matrix& a) {
+        const pattern& p = *shape_;
+        unit_ = 0;
+        for (const double d : a.diagonal) unit_ = std::max(unit_, d);
+        coarse_.clear();
+        sparse current(p.rows, p.rows);
+        std::vector<Eigen::Triplet<double, int>> entries;
+        entries.reserve(p.column.size() + p.rows);
+        for (int c = 0; c < p.rows; ++c) {
+            entries.emplace_back(c, c, a.diagonal[c]);
+            for (int i = p.first[c]; i < p.first[c + 1]; ++i)
+                if (p.column[i] < p.rows) entries.emplace_back(c, p.column[i], a.entry[i]);
+        }
+        current.setFromTriplets(entries.begin(), entries.end());
+        entries = {};
+        double threshold = 0.08;
+        while (current.rows() > 400) {
+            const sparse strong = strong_part(current, threshold);
+            int groups = 0;
+            const std::vector<int> group = aggregate(strong, groups);
+            if (groups > 0.8 * static_cast<double>(current.rows())) break;  // nothing left to gain
+            const sparse to_fine = prolongation(strong, group, groups);
+            const sparse to_coarse = to_fine.transpose();
+            const sparse product = current * to_fine;
+            current = to_coarse * product;
+            level& finer = at(coarse_.size());
+            finer.to_fine = rows(to_fine);
+            finer.to_coarse = rows(to_coarse);
+            level next;
+            next.diagonal.resize(groups);
+            for (int c = 0; c < groups; ++c) next.diagonal[c] = static_cast<float>(current.coeff(c, c));
+            sparse off = current;
+            off.prune([](Eigen::Index row, Eigen::Index column, double) { return row != column; });
+            next.off = rows(off);
+            coarse_.push_back(std::move(next));
+            threshold *= 0.5;
+        }
+        for (std::size_t l = 0; l <= coarse_.size(); ++l)
+            for (auto* v : {&at(l).x, &at(l).b, &at(l).r}) v->assign(at(l).diagonal.size(), 0.0F);
+        direct_.compute(Eigen::SparseMatrix<double>(current));
+        direct_ok_ = direct_.info() == Eigen::Success && current.rows() <= 20000;
+        right_.resize(current.rows());
+    }
+
+    void cycle(std::size_t l) {
+        level& v = at(l);
+        const int n = static_cast<int>(v.diagonal.size());
+        if (l == coarse_.size() && direct_ok_) {
+            for (int i = 0; i < n; ++i) right_[i] = static_cast<double>(v.b[i]);
+            const Eigen::VectorXd solution = direct_.solve(right_);
+            for (int i = 0; i < n; ++i) v.x[i] = static_cast<float>(solution[i]);
+            return;
+        }
+        for (int c = 0; c < n; ++c) {  // forward sweep from zero: columns above c are still zero
+            float sum = v.b[c];
+            for (int i = v.off.first[c]; i < v.off.first[c + 1] && v.off.column[i] < c; ++i)
+                sum -= v.off.value[i] * v.x[v.off.column[i]];
+            v.x[c] = sum / v.diagonal[c];
+        }
+        if (l < coarse_.size()) {
+            for (int c = 0; c < n; ++c) v.r[c] = v.b[c] - v.diagonal[c] * v.x[c] - v.off.times(c, v.x.data());
+            level& next = at(l + 1);
+            const int coarse_n = static_cast<int>(next.diagonal.size());
+            for (int c = 0; c < coarse_n; ++c) next.b[c] = v.to_coarse.times(c, v.r.data());
+            cycle(l + 1);
+            for (int c = 0; c < n; ++c) v.x[c] += v.to_fine.times(c, next.x.data());
+        }
+        for (int c = n - 1; c >= 0; --c) v.x[c] = (v.b[c] - v.off.times(c, v.x.data())) / v.diagonal[c];
+    }
+
+    const pattern* shape_;
+    level fine_;
+    std::vector<level> coarse_;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> direct_;
+    Eigen::VectorXd right_;
+    double unit_ = 1;
+    bool built_ = false, direct_ok_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<preconditioner> make_multigrid(const pattern& p) { return std::make_unique<multigrid>(p); }
+
+}  // namespace hearth::gas
