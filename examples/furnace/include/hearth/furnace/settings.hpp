@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+/// The reference furnace: a shaft in which gas burns inside a moving bed of stones.
+namespace hearth::furnace {
+
+/// A scene file, an option or a setting is wrong: says where, what was given and what is allowed.
+struct bad_scene : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A share of the particles with one diameter.
+struct size_class {
+    double diameter;    ///< [m]
+    double mass_share;  ///< [-], all shares sum to 1
+};
+
+/// A stretch of the shaft's wall with its own heat loss.
+struct wall_zone {
+    double from;                 ///< height of its lower end [m]
+    double to;                   ///< height of its upper end [m]
+    double transmittance;        ///< U from the inner face to the ambient [W/(m^2 K)]
+    double ambient_temperature;  ///< [K]
+};
+
+enum class motion { frozen, plug, recorded, dem };
+enum class combustion { none, mixed_is_burnt, equilibrium, jones_lindstedt };
+enum class voidage { filtered, smoother };
+enum class start { one_dimensional, cold };
+
+/// Everything that a scene says, in SI units.  The defaults are the furnace of the paper (Spijker, Pollhammer and
+/// Raupenstrauch 2023, doi:10.1002/ceat.202200617); what the paper leaves open is marked "assumed" in describe.hpp.
+struct settings {
+    std::string title = "shaft furnace";
+
+    struct {
+        double height = 10;
+        double diameter = 0.85;
+        double hopper_height = 1;          ///< stub of the hopper that is modelled
+        double offgas_pipe_diameter = 0.3;
+        std::vector<wall_zone> zones{{0, 10, 3, 320}};
+    } shaft;
+
+    struct {
+        double mass_flow = 3000.0 / 3600.0;
+        double feed_temperature = 300;
+        double density = 3580;
+        double emissivity = 1;
+        std::vector<size_class> sizes{{16e-3, 0.2}, {17e-3, 0.3}, {18e-3, 0.3}, {19.5e-3, 0.2}};
+    } particles;
+
+    struct {
+        double volume_flow = 2000.0 / 3600.0;  ///< at 273.15 K and 101325 Pa [m^3/s]
+        double temperature = 300;
+    } air;
+
+    struct {
+        int count = 12;
+        double diameter = 15e-3;
+        double height = 8;
+        double mass_flow = 0.207;          ///< of all burners, fuel and air [kg/s]
+        double equivalence_ratio = 1;
+        double temperature = 300;
+    } burners;
+
+    struct {
+        double pressure = 1e5;
+        double ignition_temperature = 2000;
+    } gas;
+
+    struct {
+        hearth::furnace::motion motion = motion::recorded;
+        double coarse_graining = 4;
+        double void_fraction = 0.418;      ///< of a plug-flow or frozen bed without DEM
+        double dem_time = 2.5;             ///< [s] of DEM to be recorded
+        double softened_modulus = 3.77e8;
+        double modulus = 2e11;
+        double poisson_ratio = 0.26;
+        double friction = 0.52;
+        double restitution = 0.3;
+    } bed;
+
+    struct {
+        hearth::furnace::voidage method = voidage::filtered;
+        double threshold = 0.74;
+        double width_in_diameters = 0.5;
+    } voidage;
+
+    struct {
+        int across = 24;
+        double axial_size = 0.05;
+        double axial_size_bottom = 0.02;
+        double axial_size_burners = 0.02;
+    } mesh;
+
+    struct {
+        bool heat = true;
+        bool radiation = true;
+        bool conduction = true;
+        bool turbulence = true;
+        bool nitric_oxide = true;
+        hearth::furnace::combustion combustion = combustion::equilibrium;
+    } physics;
+
+    struct {
+        double acceleration_factor = 678;  ///< 0: chosen from the tolerance
+        double tolerance = 0.01;           ///< of the splitting, relative to the range of temperatures
+        int couplings = 360;
+        double residence_times = 6;
+        hearth::furnace::start start = start::one_dimensional;
+        double balance_tolerance = 0.01;   ///< enthalpy imbalance over fuel power at which a run is converged
+    } time;
+
+    struct {
+        double interval = 60;              ///< wall time between checkpoints [s]
+        int frames = 20;                   ///< of the time series
+        std::uint64_t seed = 1;
+    } output;
+};
+
+/// Where a value came from, for messages: "furnace.toml:12" or "--set".
+using origin = std::string;
+
+/// Reads a scene file; keys that it does not name keep their defaults.  Throws bad_scene.
+settings read_scene(const std::string& path);
+/// The same from text, as a scene file would hold it.
+settings parse_scene(const std::string& text, const origin& where = "scene");
+/// Applies `key=value`, the value as in a scene file.  Throws bad_scene.
+void set_key(settings& scene, const std::string& assignment);
+/// Checks what a single key cannot tell: zones that overlap, burners above the shaft, shares that do not sum to 1.
+void check(const settings& scene);
+/// The scene as a file that read_scene reads back, with the meaning and range of every key.
+std::string document(const settings& scene);
+/// FNV-1a of all values: two runs with the same hash had the same scene.
+std::uint64_t hash(const settings& scene);
+
+}  // namespace hearth::furnace

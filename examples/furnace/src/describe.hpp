@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string_view>
+
+#include <hearth/furnace/settings.hpp>
+
+namespace hearth::furnace {
+
+/// What a number may be, in the unit of its key, and the factor from there to SI.
+struct range {
+    double from = -std::numeric_limits<double>::infinity();
+    double to = std::numeric_limits<double>::infinity();
+    double to_si = 1;
+};
+
+/// The words that a key of the enumeration takes, in the order of its values.
+constexpr auto names(motion) { return std::array<std::string_view, 4>{"frozen", "plug", "recorded", "dem"}; }
+constexpr auto names(combustion) {
+    return std::array<std::string_view, 4>{"none", "mixed_is_burnt", "equilibrium", "jones_lindstedt"};
+}
+constexpr auto names(voidage) { return std::array<std::string_view, 2>{"filtered", "smoother"}; }
+constexpr auto names(start) { return std::array<std::string_view, 2>{"one_dimensional", "cold"}; }
+
+/// Every key of a scene, once: reading, checking, documenting and hashing all walk this list.
+///     key(table, name, value, range, meaning)
+/// Settings is settings or const settings.
+template <class Settings, class Key>
+void describe(Settings& s, Key&& key) {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    key("", "title", s.title, range{}, "What the scene is called in tables and pictures");
+
+    key("shaft", "height_m", s.shaft.height, range{0.1, 100}, "Height of the shaft");
+    key("shaft", "diameter_m", s.shaft.diameter, range{0.05, 20}, "Inner diameter");
+    key("shaft", "hopper_height_m", s.shaft.hopper_height, range{0, 20}, "Height of the modelled stub of the hopper (assumed)");
+    key("shaft", "offgas_pipe_diameter_m", s.shaft.offgas_pipe_diameter, range{0.01, 5}, "Side pipe of the off-gas, below the hopper (assumed)");
+
+    key("particles", "mass_flow_kg_per_h", s.particles.mass_flow, range{0, 1e6, 1 / 3600.0}, "Solids fed at the top and taken out at the bottom");
+    key("particles", "feed_temperature_K", s.particles.feed_temperature, range{200, 3000}, "Temperature of the feed");
+    key("particles", "density_kg_per_m3", s.particles.density, range{100, 2e4}, "Density of the stone (assumed: spinel, fits 1.8 million particles)");
+    key("particles", "emissivity", s.particles.emissivity, range{0.2, 1}, "Emissivity of the stone (assumed: 1, as the paper's equations are black)");
+
+    key("air", "volume_flow_Nm3_per_h", s.air.volume_flow, range{0, 1e7, 1 / 3600.0}, "Secondary air through the bottom, at 273.15 K and 101325 Pa");
+    key("air", "temperature_K", s.air.temperature, range{200, 2000}, "Temperature of the secondary air");
+
+    key("burners", "count", s.burners.count, range{0, 1000}, "Burners in a circle, flush with the wall");
+    key("burners", "diameter_mm", s.burners.diameter, range{1, 500, 1e-3}, "Diameter of a burner's mouth");
+    key("burners", "height_m", s.burners.height, range{0, 100}, "Height of the circle above the bottom");
+    key("burners", "mass_flow_kg_per_s", s.burners.mass_flow, range{0, 1000}, "Premixed gas and air of all burners (assumed: not in the paper)");
+    key("burners", "equivalence_ratio", s.burners.equivalence_ratio, range{0, 5}, "Fuel over stoichiometric fuel (assumed: 'near stoichiometric')");
+    key("burners", "temperature_K", s.burners.temperature, range{200, 1000}, "Temperature of the premixed gas (assumed)");
+
+    key("gas", "outlet_pressure_Pa", s.gas.pressure, range{1e3, 1e7}, "Absolute pressure in the off-gas pipe");
+    key("gas", "ignition_temperature_K", s.gas.ignition_temperature, range{300, 3000}, "Gas around the burners at the start");
+
+    key("bed", "motion", s.bed.motion, range{}, "How the bed moves");
+    key("bed", "coarse_graining", s.bed.coarse_graining, range{1, 10}, "Diameter of a parcel over that of its particles");
+    key("bed", "void_fraction", s.bed.void_fraction, range{0.3, 0.7}, "Mean void fraction of a bed that is not packed by DEM (assumed)");
+    key("bed", "dem_time_s", s.bed.dem_time, range{0, 1e5}, "DEM time that is recorded");
+    key("bed", "softened_modulus_Pa", s.bed.softened_modulus, range{1e5, 1e12}, "Young's modulus of the motion");
+    key("bed", "modulus_Pa", s.bed.modulus, range{1e6, 1e13}, "True Young's modulus, for the contact areas");
+    key("bed", "poisson_ratio", s.bed.poisson_ratio, range{0, 0.49}, "Poisson ratio (assumed: spinel)");
+    key("bed", "friction", s.bed.friction, range{0, 2}, "Friction between particles and with walls (assumed)");
+    key("bed", "restitution", s.bed.restitution, range{0.01, 1}, "Coefficient of restitution (assumed)");
+
+    key("voidage", "method", s.voidage.method, range{}, "filtered: deposit, kernel, cap; smoother: the paper's Volume Fraction Smoother");
+    key("voidage", "threshold", s.voidage.threshold, range{0.1, 1}, "Largest solid fraction of a cell (0.9 in the paper)");
+    key("voidage", "width_in_diameters", s.voidage.width_in_diameters, range{0.1, 5}, "Width sigma of the kernel over the particle diameter");
+
+    key("mesh", "cells_across", s.mesh.across, range{4, 1000}, "Cells over the diameter");
+    key("mesh", "axial_size_m", s.mesh.axial_size, range{1e-3, 10}, "Height of the cells");
+    key("mesh", "axial_size_bottom_m", s.mesh.axial_size_bottom, range{1e-3, 10}, "Height of the cells in the lowest 0.8 m, where cold air meets hot stones");
+    key("mesh", "axial_size_burners_m", s.mesh.axial_size_burners, range{1e-3, 10}, "Height of the cells around the burners");
+
+    key("physics", "heat", s.physics.heat, range{}, "Temperatures of gas and particles");
+    key("physics", "radiation", s.physics.radiation, range{}, "Radiation between particles and with walls");
+    key("physics", "conduction", s.physics.conduction, range{}, "Conduction through contacts and gas films");
+    key("physics", "turbulence", s.physics.turbulence, range{}, "k-epsilon where there is no bed");
+    key("physics", "nitric_oxide", s.physics.nitric_oxide, range{}, "Thermal NO, computed after the run");
+    key("physics", "combustion", s.physics.combustion, range{}, "How the gas burns");
+
+    key("time", "acceleration_factor", s.time.acceleration_factor, range{1, 1e4}, "Gamma, or \"auto\" to choose it from the tolerance");
+    key("time", "tolerance", s.time.tolerance, range{1e-4, 1}, "Error of the splitting over the range of temperatures, for \"auto\"");
+    key("time", "couplings", s.time.couplings, range{1, 1e7}, "Exchanges between gas and bed in all");
+    key("time", "residence_times", s.time.residence_times, range{0, 1000}, "Process time over the residence time of the solids");
+    key("time", "start", s.time.start, range{}, "Where the temperatures start from");
+    key("time", "balance_tolerance", s.time.balance_tolerance, range{1e-6, 1}, "Enthalpy imbalance over fuel power at which the run is converged");
+
+    key("output", "checkpoint_interval_s", s.output.interval, range{1, 1e6}, "Wall time between checkpoints");
+    key("output", "frames", s.output.frames, range{0, 1e5}, "Frames of the time series for ParaView");
+    key("output", "seed", s.output.seed, range{0, inf}, "Seed of the feed and of random packings");
+}
+
+}  // namespace hearth::furnace

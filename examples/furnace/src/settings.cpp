@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+#include <hearth/furnace/settings.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <type_traits>
+
+#include <toml++/toml.h>
+
+#include "describe.hpp"
+
+namespace hearth::furnace {
+namespace {
+
+std::string format(double value) {
+    char text[32];
+    for (int digits = 6; digits <= 17; ++digits) {  // as short as reads back to the same number
+        std::snprintf(text, sizeof text, "%.*g", digits, value);
+        if (std::stod(text) == value) break;
+    }
+    return text;
+}
+
+std::string path_of(std::string_view table, std::string_view name) {
+    return table.empty() ? std::string(name) : std::string(table) + "." + std::string(name);
+}
+
+/// Letters to insert, delete or change to get from one word to the other (Levenshtein).
+std::size_t distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t above = row[j];
+            row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U)});
+            diagonal = above;
+        }
+    }
+    return row[b.size()];
+}
+
+/// Reads values out of TOML and says where a value is wrong.
+class reader {
+  public:
+    reader(const toml::table& root, origin where) : root_(root), where_(std::move(where)) {}
+
+    [[noreturn]] void refuse(const toml::node* node, const std::string& what) const {
+        std::ostringstream out;
+        out << where_;
+        if (node != nullptr && node->source().begin.line > 0 && where_ != "--set") out << ':' << node->source().begin.line;
+        out << ": " << what;
+        throw bad_scene(out.str());
+    }
+
+    double number(const toml::node& node, const std::string& path, const range& allowed) const {
+        const auto value = node.value<double>();
+        if (!value || node.is_boolean()) refuse(&node, path + " is not a number");
+        if (!(*value >= allowed.from && *value <= allowed.to)) {
+            refuse(&node, path + " is " + format(*value) + ", allowed: " + format(allowed.from) + " to " + format(allowed.to));
+        }
+        return *value * allowed.to_si;
+    }
+
+    std::string word(const toml::node& node, const std::string& path) const {
+        if (!node.is_string()) refuse(&node, path + " is not a text in quotes");
+        return *node.value<std::string>();
+    }
+
+    template <class Value>
+    void read(std::string_view table, std::string_view name, Value& value, const range& allowed) {
+        const std::string path = path_of(table, name);
+        known_.insert(path);
+        const toml::node_view<const toml::node> view = root_.at_path(path);
+        if (!view) return;
+        const toml::node& node = *view.node();
+        if constexpr (std::is_same_v<Value, bool>) {
+            if (!node.is_boolean()) refuse(&node, path + " is neither true nor false");
+            value = *node.value<bool>();
+        } else if constexpr (std::is_same_v<Value, std::string>) {
+            value = word(node, path);
+        } else if constexpr (std::is_enum_v<Value>) {
+            const std::string given = word(node, path);
+            constexpr auto words = names(Value{});
+            const auto found = std::find(words.begin(), words.end(), given);
+            if (found == words.end()) {
+                std::string all;
+                for (const std::string_view allowed_word : words) all += (all.empty() ? "" : ", ") + std::string(allowed_word);
+                refuse(&node, path + " is \"" + given + "\", allowed: " + all);
+            }
+            value = static_cast<Value>(found - words.begin());
+        } else if constexpr (std::is_integral_v<Value>) {
+            if (!node.is_integer()) refuse(&node, path + " is not a whole number");
+            value = static_cast<Value>(number(node, path, allowed));
+        } else {
+            if (path == "time.acceleration_factor" && node.is_string()) {
+                if (word(node, path) != "auto") refuse(&node, path + " is neither a number nor \"auto\"");
+                value = 0;
+            } else {
+                value = number(node, path, allowed);
+            }
+        }
+    }
+
+    /// An array of tables, each with these numbers and no other key.
+    template <class Item>
+    void read_list(const std::string& path, std::vector<Item>& items,
+                   const std::vector<std::pair<std::string, std::pair<double Item::*, range>>>& members) {
+        known_.insert(path);
+        const auto view = root_.at_path(path);
+        if (!view) return;
+        const toml::array* list = view.as_array();
+        if (list == nullptr || list->empty()) refuse(view.node(), path + " is not a list of tables");
+        items.clear();
+        for (const toml::node& entry : *list) {
+            const toml::table* table = entry.as_table();
+            if (table == nullptr) refuse(&entry, "an entry of " + path + " is not a table");
+            Item item{};
+            for (const auto& [name, member] : members) {
+                const toml::node* node = table->get(name);
+                if (node == nullptr) refuse(&entry, "an entry of " + path + " lacks " + name);
+                item.*member.first = number(*node, path + "." + name, member.second);
+            }
+            for (const auto& [key, node] : *table) {
+                const std::string_view given = key.str();
+                if (std::none_of(members.begin(), members.end(), [&](const auto& m) { return m.first == given; })) {
+                    std::vector<std::string> allowed;
+                    for (const auto& member : members) allowed.push_back(member.first);
+                    refuse(&node, unknown(path + "." + std::string(given), std::string(given), allowed));
+                }
+            }
+            items.push_back(item);
+        }
+    }
+
+    /// Every key that was not read is unknown.
+    void refuse_unknown() const { refuse_unknown(root_, ""); }
+
+  private:
+    static std::string unknown(const std::string& path, const std::string& given, const std::vector<std::string>& all) {
+        // A key in the wrong table is near too, so the last word alone counts as well.
+        const auto last = [](std::string_view key) { return key.substr(key.rfind('.') + 1); };
+        const auto far = [&](const std::string& key) { return std::min(distance(given, key), distance(last(given), last(key))); };
+        const auto nearest =
+            std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return far(a) < far(b); });
+        return path + " is not a key of a scene; the nearest one is " + *nearest;
+    }
+
+    void refuse_unknown(const toml::table& table, const std::string& prefix) const {
+        for (const auto& [key, node] : table) {
+            const std::string path = path_of(prefix, key.str());
+            if (known_.count(path) != 0) continue;
+            const bool is_group = node.is_table() && std::any_of(known_.begin(), known_.end(), [&](const std::string& k) {
+                return k.compare(0, path.size() + 1, path + ".") == 0;
+            });
+            if (!is_group) refuse(&node, unknown(path, path, {known_.begin(), known_.end()}));
+            refuse_unknown(*node.as_table(), path);
+        }
+    }
+
+    const toml::table& root_;
+    origin where_;
+    std::set<std::string> known_;
+};
+
+const std::vector<std::pair<std::string, std::pair<double wall_zone::*, range>>> zone_members{
+    {"z_min_m", {&wall_zone::from, {-10, 100}}},
+    {"z_max_m", {&wall_zone::to, {-10, 100}}},
+    {"transmittance_W_per_m2K", {&wall_zone::transmittance, {0, 1000}}},
+    {"ambient_temperature_K", {&wall_zone::ambient_temperature, {200, 2000}}}};
+const std::vector<std::pair<std::string, std::pair<double size_class::*, range>>> size_members{
+    {"diameter_mm", {&size_class::diameter, {0.1, 500, 1e-3}}}, {"mass_share", {&size_class::mass_share, {0, 1}}}};
+
+void read_into(settings& scene, const toml::table& root, const origin& where) {
+    reader read(root, where);
+    describe(scene, [&](auto table, auto name, auto& value, const range& allowed, const char*) {
+        read.read(table, name, value, allowed);
+    });
+    read.read_list("wall.zone", scene.shaft.zones, zone_members);
+    read.read_list("particles.size", scene.particles.sizes, size_members);
+    read.refuse_unknown();
+}
+
+toml::table parse(const std::string& text, const origin& where) {
+    try {
+        return toml::parse(text, where);
+    } catch (const toml::parse_error& error) {
+        std::ostringstream out;
+        out << where;
+        if (where != "--set") out << ':' << error.source().begin.line;
+        out << ": " << error.description();
+        throw bad_scene(out.str());
+    }
+}
+
+template <class Value>
+std::string written(const Value& value, const range& allowed) {
+    if constexpr (std::is_same_v<Value, bool>) {
+        return value ? "true" : "false";
+    } else if constexpr (std::is_same_v<Value, std::string>) {
+        return '"' + value + '"';
+    } else if constexpr (std::is_enum_v<Value>) {
+        return '"' + std::string(names(Value{})[static_cast<std::size_t>(value)]) + '"';
+    } else if constexpr (std::is_integral_v<Value>) {
+        return std::to_string(value);
+    } else {
+        return format(static_cast<double>(value) / allowed.to_si);
+    }
+}
+
+}  // namespace
+
+settings parse_scene(const std::string& text, const origin& where) {
+    settings scene;
+    read_into(scene, parse(text, where), where);
+    check(scene);
+    return scene;
+}
+
+settings read_scene(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) throw bad_scene(path + ": cannot be opened: " + std::strerror(errno));
+    std::ostringstream text;
+    text << file.rdbuf();
+    return parse_scene(text.str(), path);
+}
+
+void set_key(settings& scene, const std::string& assignment) {
+    settings changed = scene;
+    read_into(changed, parse(assignment, "--set"), "--set");
+    check(changed);
+    scene = changed;
+}
+
+void check(const settings& scene) {
+    double share = 0;
+    for (const size_class& size : scene.particles.sizes) share += size.mass_share;
+    if (std::abs(share - 1) > 1e-6) throw bad_scene("particles.size: the mass shares sum to " + format(share) + ", allowed: 1");
+    for (const size_class& size : scene.particles.sizes) {
+        if (size.diameter > scene.shaft.diameter / 4) {
+            throw bad_scene("particles.size.diameter_mm is " + format(size.diameter * 1e3) + ", allowed: at most a quarter of the shaft, " +
+                            format(scene.shaft.diameter * 250));
+        }
+    }
+    std::vector<wall_zone> zones = scene.shaft.zones;
+    std::sort(zones.begin(), zones.end(), [](const wall_zone& a, const wall_zone& b) { return a.from < b.from; });
+    for (std::size_t k = 0; k < zones.size(); ++k) {
+        if (!(zones[k].to > zones[k].from)) {
+            throw bad_scene("wall.zone.z_max_m is " + format(zones[k].to) + ", allowed: above z_min_m, " + format(zones[k].from));
+        }
+        if (k > 0 && zones[k].from < zones[k - 1].to) {
+            throw bad_scene("wall.zone: zones from " + format(zones[k - 1].from) + " m and from " + format(zones[k].from) + " m overlap");
+        }
+    }
+    if (scene.burners.count > 0 && scene.burners.height + scene.burners.diameter / 2 > scene.shaft.height) {
+        throw bad_scene("burners.height_m is " + format(scene.burners.height) + ", allowed: below the top of the shaft, " +
+                        format(scene.shaft.height));
+    }
+    if (scene.bed.softened_modulus > scene.bed.modulus) {
+        throw bad_scene("bed.softened_modulus_Pa is " + format(scene.bed.softened_modulus) + ", allowed: at most bed.modulus_Pa, " +
+                        format(scene.bed.modulus));
+    }
+    if (scene.physics.combustion != combustion::none && !scene.physics.heat) {
+        throw bad_scene("physics.combustion needs physics.heat = true");
+    }
+}
+
+std::string document(const settings& scene) {
+    std::ostringstream out;
+    std::string open;
+    describe(scene, [&](std::string_view table, std::string_view name, const auto& value, const range& allowed, const char* meaning) {
+        using value_type = std::decay_t<decltype(value)>;
+        if (table != open) {
+            open = table;
+            out << "\n[" << open << "]\n";
+        }
+        std::string text = written(value, allowed);
+        if (path_of(table, name) == "time.acceleration_factor" && text == "0") text = "\"auto\"";
+        out << name << " = " << text << "  # " << meaning;
+        if constexpr (std::is_enum_v<value_type>) {
+            out << ':';
+            for (const std::string_view word : names(value_type{})) out << ' ' << word;
+        } else if constexpr (std::is_arithmetic_v<value_type> && !std::is_same_v<value_type, bool>) {
+            out << ", " << format(allowed.from) << " to " << format(allowed.to);
+        }
+        out << '\n';
+    });
+    const auto list = [&](const char* path, const auto& items, const auto& members) {
+        for (const auto& item : items) {
+            out << "\n[[" << path << "]]\n";
+            for (const auto& [name, member] : members) out << name << " = " << format(item.*member.first / member.second.to_si) << '\n';
+        }
+    };
+    list("particles.size", scene.particles.sizes, size_members);
+    list("wall.zone", scene.shaft.zones, zone_members);
+    return out.str();
+}
+
+std::uint64_t hash(const settings& scene) {
+    std::uint64_t value = 14695981039346656037U;
+    for (const char c : document(scene)) value = (value ^ static_cast<unsigned char>(c)) * 1099511628211U;
+    return value;
+}
+
+}  // namespace hearth::furnace

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include <hearth/furnace/settings.hpp>
+
+using namespace hearth::furnace;
+
+namespace {
+
+std::string complaint(const std::string& text) {
+    try {
+        parse_scene(text, "my.toml");
+    } catch (const bad_scene& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("scene: what a file does not name is the furnace of the paper") {
+    const settings scene = parse_scene("");
+    CHECK(scene.shaft.height == 10);
+    CHECK(scene.particles.mass_flow == doctest::Approx(3000.0 / 3600).epsilon(1e-15));
+    CHECK(scene.time.acceleration_factor == 678);
+}
+
+TEST_CASE("scene: keys are read in their own units") {
+    const settings scene = parse_scene(R"(
+        title = "hot"
+        particles.mass_flow_kg_per_h = 1800
+        [burners]
+        diameter_mm = 20
+        count = 6
+        [physics]
+        combustion = "jones_lindstedt"
+        radiation = false
+        [time]
+        acceleration_factor = "auto"
+        [[wall.zone]]
+        z_min_m = 0
+        z_max_m = 5
+        transmittance_W_per_m2K = 2
+        ambient_temperature_K = 320
+        [[wall.zone]]
+        z_min_m = 5
+        z_max_m = 10
+        transmittance_W_per_m2K = 4
+        ambient_temperature_K = 330
+    )");
+    CHECK(scene.title == "hot");
+    CHECK(scene.particles.mass_flow == doctest::Approx(0.5).epsilon(1e-15));
+    CHECK(scene.burners.diameter == doctest::Approx(0.02).epsilon(1e-15));
+    CHECK(scene.burners.count == 6);
+    CHECK(scene.physics.combustion == combustion::jones_lindstedt);
+    CHECK_FALSE(scene.physics.radiation);
+    CHECK(scene.time.acceleration_factor == 0);
+    REQUIRE(scene.shaft.zones.size() == 2);
+    CHECK(scene.shaft.zones[1].ambient_temperature == 330);
+}
+
+TEST_CASE("scene: every mistake is told with its place, its value and what is allowed") {
+    CHECK(complaint("[burners]\ncount = 3\nheigth_m = 8") ==
+          "my.toml:3: burners.heigth_m is not a key of a scene; the nearest one is burners.height_m");
+    CHECK(complaint("[voidage]\nthreshold = 1.5") == "my.toml:2: voidage.threshold is 1.5, allowed: 0.1 to 1");
+    CHECK(complaint("[voidage]\nthreshold = nan") == "my.toml:2: voidage.threshold is nan, allowed: 0.1 to 1");
+    CHECK(complaint("[voidage]\nthreshold = \"x\"") == "my.toml:2: voidage.threshold is not a number");
+    CHECK(complaint("[bed]\nmotion = \"fast\"") == "my.toml:2: bed.motion is \"fast\", allowed: frozen, plug, recorded, dem");
+    CHECK(complaint("[burners]\ncount = 2.5") == "my.toml:2: burners.count is not a whole number");
+    CHECK(complaint("[physics]\nheat = 1") == "my.toml:2: physics.heat is neither true nor false");
+    CHECK(complaint("cell_across = 9") == "my.toml:1: cell_across is not a key of a scene; the nearest one is mesh.cells_across");
+    CHECK(complaint("[time]\nacceleration_factor = \"fast\"") == "my.toml:2: time.acceleration_factor is neither a number nor \"auto\"");
+    CHECK(complaint("[[wall.zone]]\nz_min_m = 0\nz_max_m = 1\nambient_temperature_K = 300") ==
+          "my.toml:1: an entry of wall.zone lacks transmittance_W_per_m2K");
+    CHECK(complaint("[shaft\n").find("my.toml:1: ") == 0);
+    CHECK(complaint("[[particles.size]]\ndiameter_mm = 16\nmass_share = 0.5") ==
+          "particles.size: the mass shares sum to 0.5, allowed: 1");
+    CHECK(complaint("burners.height_m = 11") == "burners.height_m is 11, allowed: below the top of the shaft, 10");
+    CHECK(complaint("physics.heat = false") == "physics.combustion needs physics.heat = true");
+    CHECK_THROWS_WITH_AS(read_scene("no/such/file.toml"), "no/such/file.toml: cannot be opened: No such file or directory", bad_scene);
+}
+
+TEST_CASE("scene: --set changes one key, or nothing") {
+    settings scene;
+    set_key(scene, "mesh.cells_across=40");
+    CHECK(scene.mesh.across == 40);
+    set_key(scene, "bed.motion=\"plug\"");
+    CHECK(scene.bed.motion == motion::plug);
+    CHECK_THROWS_WITH_AS(set_key(scene, "mesh.cells_across=1"), "--set: mesh.cells_across is 1, allowed: 4 to 1000", bad_scene);
+    CHECK(scene.mesh.across == 40);
+}
+
+TEST_CASE("scene: its document reads back as the same scene, and its hash tells scenes apart") {
+    settings scene;
+    scene.particles.mass_flow = 0.1234567890123;
+    scene.bed.motion = motion::dem;
+    scene.time.acceleration_factor = 0;
+    scene.shaft.zones = {{0, 2, 1, 310}, {2, 9, 2.5, 333}};
+    const settings again = parse_scene(document(scene));
+    CHECK(document(again) == document(scene));
+    CHECK(hash(again) == hash(scene));
+    CHECK(hash(again) != hash(settings{}));
+}
