@@ -17,6 +17,7 @@
 #include <hearth/core/halo.hpp>
 #include <hearth/core/mesh_traits.hpp>
 #include <hearth/core/remote_faces.hpp>
+#include <hearth/core/unique_ids.hpp>
 
 namespace hearth::detail {
 
@@ -94,28 +95,13 @@ class graph_builder {
         }
     }
 
-    /// Global indices must be unique on this rank and over all: each index is checked by the rank index modulo size.
+    /// Global indices must be unique on this rank and over all.
     void check_unique() {
         if constexpr (has_global_index_v<Mesh>) {
             by_id_.resize(global.size());
             std::iota(by_id_.begin(), by_id_.end(), 0);
             std::sort(by_id_.begin(), by_id_.end(), [&](std::int32_t a, std::int32_t b) { return id(a) < id(b); });
-            std::vector<std::int64_t> sorted(global);
-            if constexpr (Communicator::is_distributed) {
-                const std::int64_t size = communicator_.size();
-                std::vector<parcel<std::int64_t>> outgoing(static_cast<std::size_t>(size));
-                for (int r = 0; r < communicator_.size(); ++r) outgoing[static_cast<std::size_t>(r)].rank = r;
-                for (const std::int64_t g : global) {
-                    outgoing[static_cast<std::size_t>(((g % size) + size) % size)].values.push_back(g);
-                }
-                sorted.clear();
-                for (const auto& from : communicator_.exchange(std::move(outgoing))) {
-                    sorted.insert(sorted.end(), from.values.begin(), from.values.end());
-                }
-            }
-            std::sort(sorted.begin(), sorted.end());
-            const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-            if (twice != sorted.end()) {
+            if (const auto twice = find_duplicate(communicator_, global)) {
                 complain("global index of cell", *twice, static_cast<double>(*twice), "unique over all cells and ranks");
             }
         }

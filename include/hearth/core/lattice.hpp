@@ -66,6 +66,12 @@ struct mesh_traits<lattice> {
 
     static point extent(const hearth::lattice& mesh, index) { return mesh.spacing; }
 
+    static point period(const hearth::lattice& mesh) {
+        point length{};
+        for (std::size_t a = 0; a < 3; ++a) length[a] = mesh.periodic[a] ? mesh.cells[a] * mesh.spacing[a] : 0.0;
+        return length;
+    }
+
     static index find_cell(const hearth::lattice& mesh, const point& x) {
         std::int64_t cell = 0;
         for (std::size_t a = 3; a-- > 0;) {

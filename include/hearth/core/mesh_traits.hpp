@@ -29,6 +29,8 @@ using point = std::array<double, 3>;
 ///                                                              (default: the cell whose centre is nearest)
 ///     Point  extent(mesh, cell)                                [m], optional: lengths of the cell along x, y, z
 ///                                                              (default: the cube root of its volume in each)
+///     Point  period(mesh)                                      [m], optional: lengths after which the mesh repeats
+///                                                              itself along x, y, z; 0 where it does not
 ///
 /// Tier 2, faced (kernel smoother, gas)
 ///     void   for_each_face(mesh, visit)                        every face between two owned cells once;
@@ -98,6 +100,7 @@ template <class T, class M> using boundary_face_call =
 template <class T, class M> using centre_call = decltype(T::centre(mesh_value<M>(), index_of_t<T>{}));
 template <class T, class M> using find_cell_call = decltype(T::find_cell(mesh_value<M>(), point{}));
 template <class T, class M> using extent_call = decltype(T::extent(mesh_value<M>(), index_of_t<T>{}));
+template <class T, class M> using period_call = decltype(T::period(mesh_value<M>()));
 template <class T, class M> using global_index_call = decltype(T::global_index(mesh_value<M>(), index_of_t<T>{}));
 template <class T, class M> using remote_face_call =
     decltype(T::for_each_remote_face(mesh_value<M>(), any_visitor{}));
@@ -115,6 +118,7 @@ template <class Mesh> inline constexpr bool has_faces_v = detail::has_v<detail::
 template <class Mesh> inline constexpr bool has_boundary_faces_v = detail::has_v<detail::boundary_face_call, Mesh>;
 template <class Mesh> inline constexpr bool has_find_cell_v = detail::has_v<detail::find_cell_call, Mesh>;
 template <class Mesh> inline constexpr bool has_extent_v = detail::has_v<detail::extent_call, Mesh>;
+template <class Mesh> inline constexpr bool has_period_v = detail::has_v<detail::period_call, Mesh>;
 template <class Mesh> inline constexpr bool has_global_index_v = detail::has_v<detail::global_index_call, Mesh>;
 template <class Mesh> inline constexpr bool has_remote_faces_v = detail::has_v<detail::remote_face_call, Mesh>;
 template <class Mesh> inline constexpr bool has_revision_v = detail::has_v<detail::revision_call, Mesh>;

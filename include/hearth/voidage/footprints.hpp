@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include <hearth/core/agree.hpp>
+#include <hearth/core/cell_locator.hpp>
+#include <hearth/core/error.hpp>
+#include <hearth/core/reproducible_sum.hpp>
+#include <hearth/voidage/visitors.hpp>
+
+namespace hearth {
+
+/// What the cells of one rank can tell about the place of a particle.
+struct sighting {
+    bool inside;     ///< the particle's centre is in one of these cells
+    double nearest;  ///< least distance of the particle from them, in the measure of the policy
+};
+
+/// The matrix from particles to cells that a deposit policy makes, stored at 8 bytes an entry: particle p gives cell c
+/// the share  weight * scale(p)  of anything it has, and the shares of a particle sum to 1.
+///
+/// Weights are floats of any size in (0, 1]; the scale of a particle, a double, is one over their exact sum.  So shares
+/// sum to 1 to round-off, and neither storage order nor the number of ranks can change a bit of them.
+///
+/// A policy (see deposit.hpp) offers, for a particle and the owned cells of a rank:
+///     sighting look(locator, visitor)                          does it stand in the mesh, and how near is the nearest cell
+///     void for_each_weight(locator, visitor, nearest, visit)   visit(cell, weight), nearest over all ranks
+///
+/// Errors: bad_value as visitors has them, and for a particle whose centre is outside the mesh.  Thrown on every rank.
+template <class Communicator = serial_communicator>
+class footprints {
+  public:
+    struct entry {
+        std::int32_t cell;
+        float weight;
+    };
+
+    template <class Mesh, class Cloud, class Policy>
+    footprints(const cell_locator<Mesh, Communicator>& locator, const Cloud& cloud, const Policy& policy)
+        : visitors_(locator, cloud) {
+        const std::vector<double> nearest = look(locator, policy);
+        rows_.reserve(visitors_.size() + 1);
+        rows_.push_back(0);
+        std::vector<limbs> partial;
+        partial.reserve(visitors_.size());
+        const reproducible_sum nothing(1.0, most_terms);
+        for (std::size_t k = 0; k < visitors_.size(); ++k) {
+            reproducible_sum sum = nothing;
+            policy.for_each_weight(locator, visitors_[k], nearest[k], [&](std::int32_t cell, double weight) {
+                const auto stored = static_cast<float>(weight);
+                if (!(stored > 0)) return;  // below the smallest float: nothing, whatever the other weights are
+                entries_.push_back({cell, stored});
+                sum.add(static_cast<double>(stored));
+            });
+            rows_.push_back(entries_.size());
+            partial.push_back(take_limbs(sum));
+        }
+        owner_scales_ = sum_over_ranks(nothing, partial);
+        for (double& scale : owner_scales_) scale = 1 / scale;
+        scales_ = visitors_.bring(owner_scales_);
+    }
+
+    const hearth::visitors<Communicator>& visitors() const { return visitors_; }
+
+    /// Entries of the k-th visitor on this rank.
+    const entry* begin(std::size_t k) const { return entries_.data() + rows_[k]; }
+    const entry* end(std::size_t k) const { return entries_.data() + rows_[k + 1]; }
+    std::size_t entry_count() const { return entries_.size(); }
+    double scale(std::size_t k) const { return scales_[k]; }
+
+    /// Adds what each visitor has (one value for each) to the owned cells, in the order of the visitors' ids.
+    void scatter(const std::vector<double>& at_visitors, double* cells) const {
+        for (std::size_t k = 0; k < visitors_.size(); ++k) {
+            const double amount = at_visitors[k] * scales_[k];
+            for (const entry* e = begin(k); e != end(k); ++e) {
+                cells[e->cell] += amount * static_cast<double>(e->weight);
+            }
+        }
+    }
+
+    /// Mean of a field of owned cells over each particle's shares, for the particles that this rank owns: the transpose
+    /// of scatter.  bound: no value of the field is larger in magnitude, on any rank.
+    std::vector<double> gather(const double* cells, double bound) const {
+        const reproducible_sum nothing(bound > 0 ? bound : 1.0, most_terms);
+        std::vector<limbs> partial;
+        partial.reserve(visitors_.size());
+        for (std::size_t k = 0; k < visitors_.size(); ++k) {
+            reproducible_sum sum = nothing;
+            for (const entry* e = begin(k); e != end(k); ++e) sum.add(static_cast<double>(e->weight) * cells[e->cell]);
+            partial.push_back(take_limbs(sum));
+        }
+        std::vector<double> result = sum_over_ranks(nothing, partial);
+        for (std::size_t i = 0; i < result.size(); ++i) result[i] *= owner_scales_[i];
+        return result;
+    }
+
+  private:
+    using limbs = std::array<std::int64_t, reproducible_sum::limb_count()>;
+    /// No particle touches more cells; leaves 3 * 30 bits for each sum.
+    static constexpr std::int64_t most_terms = std::int64_t{1} << 31;
+
+    static limbs take_limbs(reproducible_sum& sum) { return {sum.limbs()[0], sum.limbs()[1], sum.limbs()[2]}; }
+
+    /// Distance of the nearest cell for each visitor, agreed over the ranks that it visits.
+    template <class Mesh, class Policy>
+    std::vector<double> look(const cell_locator<Mesh, Communicator>& locator, const Policy& policy) const {
+        std::vector<sighting> seen;
+        seen.reserve(visitors_.size());
+        for (const visitor& v : visitors_) seen.push_back(policy.look(locator, v));
+        std::vector<std::uint8_t> inside(visitors_.owned_count(), 0);
+        std::vector<double> nearest(visitors_.owned_count(), std::numeric_limits<double>::infinity());
+        visitors_.take_back(seen, [&](std::size_t particle, const sighting& s) {
+            inside[particle] |= static_cast<std::uint8_t>(s.inside);
+            nearest[particle] = std::min(nearest[particle], s.nearest);
+        });
+        std::optional<bad_value> wrong;
+        for (std::size_t i = 0; i < inside.size() && !wrong; ++i) {
+            if (!inside[i]) wrong = outside(visitors_.owned(i));
+        }
+        throw_agreed(visitors_.communicator(), wrong);
+        return visitors_.bring(nearest);
+    }
+
+    static bad_value outside(const visitor& v) {
+        std::ostringstream where;
+        where << "inside the mesh, but its centre (" << v.position[0] << ", " << v.position[1] << ", " << v.position[2]
+              << ") is in no cell [m]";
+        return {"x coordinate of particle", v.id, v.position[0], where.str()};
+    }
+
+    std::vector<double> sum_over_ranks(const reproducible_sum& nothing, const std::vector<limbs>& partial) const {
+        std::vector<reproducible_sum> sums(visitors_.owned_count(), nothing);
+        visitors_.take_back(partial, [&](std::size_t particle, const limbs& some) {
+            for (std::size_t l = 0; l < some.size(); ++l) sums[particle].limbs()[l] += some[l];
+        });
+        std::vector<double> values;
+        values.reserve(sums.size());
+        for (const reproducible_sum& sum : sums) values.push_back(sum.value());
+        return values;
+    }
+
+    hearth::visitors<Communicator> visitors_;
+    std::vector<std::size_t> rows_;
+    std::vector<entry> entries_;
+    std::vector<double> scales_;        // of visitors
+    std::vector<double> owner_scales_;  // of owned particles
+};
+
+}  // namespace hearth
