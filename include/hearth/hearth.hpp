@@ -31,6 +31,18 @@
 #include <hearth/core/scalar.hpp>
 #include <hearth/core/strided_cloud.hpp>
 
+#include <hearth/closure/beetstra.hpp>
+#include <hearth/closure/di_felice.hpp>
+#include <hearth/closure/drag.hpp>
+#include <hearth/closure/eisfeld_schnitzlein.hpp>
+#include <hearth/closure/ergun.hpp>
+#include <hearth/closure/ergun_wen_yu.hpp>
+#include <hearth/closure/gidaspow.hpp>
+#include <hearth/closure/gunn.hpp>
+#include <hearth/closure/ranz_marshall.hpp>
+#include <hearth/closure/wakao_kaguei.hpp>
+#include <hearth/closure/wen_yu.hpp>
+
 
 
 

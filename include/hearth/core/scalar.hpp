@@ -16,11 +16,12 @@ namespace hearth {
 ///     real      the plain number inside: literals and coefficients are of this type
 ///     value     what an expression of this type evaluates to; the type itself for plain numbers
 ///
-/// Static members, all of `value` and without side effects
-///     power(x, real a)  square_root(x)  cube_root(x)  exponential(x)  exponential_minus_one(x)  logarithm(x)  absolute(x)
+/// Static members, all but the last of type `value`
+///     power(x, real a)  variable_power(x, value a)  square_root(x)  cube_root(x)
+///     exponential(x)  exponential_minus_one(x)  logarithm(x)  absolute(x)
 ///     select(mask, value a, value b)    a where the mask holds, else b
 ///     uniform(x, real v)                v in the shape of x
-///     count(mask)                       how many lanes hold
+///     count_lanes(mask)                 in how many lanes the mask holds, an std::int64_t
 template <class Scalar, class Enable = void>
 struct scalar_traits {
     static_assert(std::is_floating_point_v<Scalar>,
@@ -30,6 +31,7 @@ struct scalar_traits {
     using value = Scalar;
 
     HEARTH_FUNCTION static Scalar power(Scalar x, Scalar a) { return std::pow(x, a); }
+    HEARTH_FUNCTION static Scalar variable_power(Scalar x, Scalar a) { return std::pow(x, a); }
     HEARTH_FUNCTION static Scalar square_root(Scalar x) { return std::sqrt(x); }
     HEARTH_FUNCTION static Scalar cube_root(Scalar x) { return std::cbrt(x); }
     HEARTH_FUNCTION static Scalar exponential(Scalar x) { return std::exp(x); }
@@ -38,7 +40,7 @@ struct scalar_traits {
     HEARTH_FUNCTION static Scalar absolute(Scalar x) { return std::fabs(x); }
     HEARTH_FUNCTION static constexpr Scalar select(bool mask, Scalar a, Scalar b) { return mask ? a : b; }
     HEARTH_FUNCTION static constexpr Scalar uniform(Scalar, Scalar v) { return v; }
-    HEARTH_FUNCTION static constexpr std::int64_t count(bool mask) { return mask ? 1 : 0; }
+    HEARTH_FUNCTION static constexpr std::int64_t count_lanes(bool mask) { return mask ? 1 : 0; }
 };
 
 /// The plain number inside a number: double for double, for lanes of double and for duals over double.
@@ -50,10 +52,16 @@ template <class Scalar>
 using value_t = typename scalar_traits<Scalar>::value;
 
 /// x to the power a, for x >= 0; NaN for x < 0.  power(0, a) = 0 for a > 0.
-/// On lanes it is exp(a log x): relative error up to (4 + |a log x|) epsilon.
+/// On lanes it is exp(a log x), whose relative error is up to (2 + 2 |a log x|) epsilon.
 template <class Scalar>
 HEARTH_FUNCTION value_t<Scalar> power(const Scalar& x, real_t<Scalar> a) {
     return scalar_traits<Scalar>::power(x, a);
+}
+
+/// x to a power a > 0 that varies like x does, for x >= 0.
+template <class Scalar>
+HEARTH_FUNCTION value_t<Scalar> variable_power(const Scalar& x, const Scalar& a) {
+    return scalar_traits<Scalar>::variable_power(x, a);
 }
 
 /// Square root; NaN for x < 0.
@@ -126,10 +134,10 @@ HEARTH_FUNCTION constexpr value_t<Scalar> maximum(const Scalar& x, const Scalar&
     return scalar_traits<Scalar>::select(x < y, y, x);
 }
 
-/// How many lanes of a comparison hold; 0 or 1 for plain numbers.  Scalar is the type that was compared.
+/// In how many lanes a mask holds; 0 or 1 for plain numbers.  Scalar is the type that was compared.
 template <class Scalar, class Mask>
-HEARTH_FUNCTION constexpr std::int64_t count(const Mask& mask) {
-    return scalar_traits<Scalar>::count(mask);
+HEARTH_FUNCTION constexpr std::int64_t count_lanes(const Mask& mask) {
+    return scalar_traits<Scalar>::count_lanes(mask);
 }
 
 }  // namespace hearth
