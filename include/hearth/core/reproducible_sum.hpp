@@ -38,6 +38,16 @@ class reproducible_sum {
         }
     }
 
+    /// Adds or takes away, without rounding, a sum of the same bound and count.
+    void add(const reproducible_sum& other) {
+        for (std::size_t k = 0; k < limb_count(); ++k) limbs_[k] += other.limbs_[k];
+    }
+    void subtract(const reproducible_sum& other) {
+        for (std::size_t k = 0; k < limb_count(); ++k) limbs_[k] -= other.limbs_[k];
+    }
+    /// Back to zero.
+    void clear() { limbs_ = {}; }
+
     /// The integers, to be added over ranks: communicator.sum(total.limbs(), total.limb_count()).
     std::int64_t* limbs() { return limbs_.data(); }
     static constexpr std::size_t limb_count() { return 3; }
