@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+#include <hearth/core/agree.hpp>
+#include <hearth/core/cell_graph.hpp>
+#include <hearth/core/error.hpp>
+#include <hearth/voidage/chebyshev.hpp>
+#include <hearth/voidage/lattice_stencil.hpp>
+
+namespace hearth {
+
+/// What one call of a kernel_smoother did, over all ranks.
+struct smoothing_report {
+    int terms = 0;         ///< of the series: visits of each cell, and exchanges between ranks
+    double lowest = 0;     ///< least value of the result
+    double highest = 0;    ///< largest value of the result
+};
+
+/// Spreads a field over the mesh with a kernel of a physical width: the heat kernel  exp(-(width^2 / 2) L),  L the finite
+/// volume Laplacian of the graph's conductances with walls that let nothing through.  In free space it is a Gaussian of
+/// standard deviation `width` along each axis, whatever the shape of the cells.
+///
+/// Done by a Chebyshev series in L (see chebyshev.hpp): as many visits of each cell as there are terms, about 4.8 width /
+/// (least spacing of cells) of them, no sums over ranks, one exchange of ghosts a term, two work vectors.
+///
+/// Keeps: the sum of volume times field (to round-off), constants, and symmetry: sum V f S(g) = sum V g S(f).  The second
+/// moment is width^2 exactly.  Results are bitwise independent of the number of ranks and of storage order.  A field >= 0
+/// gives a field >= 0 on any sensible mesh; on a graph with volumes spread over many powers of ten the truncated series
+/// can undershoot by `tolerance`, which report.lowest shows.
+///
+/// Needs a mesh with faces (conductances).  Not to be shared by threads: smooth() uses the work vectors.
+template <class Communicator = serial_communicator>
+class kernel_smoother {
+  public:
+    struct settings {
+        double tolerance = 1e-5;  ///< sum of the coefficients of the series that are left out [-]
+    };
+
+    /// width [m], >= 0; 0 leaves fields as they are.  The graph must outlive the smoother.
+    /// Errors: bad_value for a width that is not finite and >= 0, a tolerance outside (0, 1), a graph without faces.
+    kernel_smoother(const cell_graph<Communicator>& graph, double width, const settings& options)
+        : graph_(&graph),
+          width_(checked(graph, width, options)),
+          bound_(spectral_bound(graph)),
+          rate_(bound_ > 0 ? 2 / bound_ : 0),
+          series_(0.25 * width * width * bound_, options.tolerance) {
+        const auto total = static_cast<std::size_t>(graph.total_count());
+        if (series_.terms() > 0) {
+            for (auto& vector : work_) vector.resize(total);
+        }
+        if constexpr (Communicator::is_distributed) find_border();
+    }
+    kernel_smoother(const cell_graph<Communicator>& graph, double width) : kernel_smoother(graph, width, settings{}) {}
+
+    double width() const { return width_; }  ///< [m]
+    int terms() const { return static_cast<int>(series_.terms()); }
+    const cell_graph<Communicator>& graph() const { return *graph_; }
+
+    /// Smooths a field of values per volume (a fraction, a density) in place.
+    /// Errors: bad_value for values that are not finite, stale_graph; the field is then as it was.
+    template <class Field>
+    smoothing_report smooth(Field& field) {
+        graph_->require_current();
+        load(field);
+        const std::size_t last = series_.terms();
+        if (last > 0) {
+            std::vector<detail::clenshaw_term> steps;
+            for (std::size_t k = last - 1; k > 0; --k) steps.push_back({series_[k], 2});
+            steps.push_back({series_[0], 1});
+            if (graph_->lattice() && graph_->cell_count() > 0) {
+                const auto by_lists = [&](std::int64_t cell, auto&... rest) { step(static_cast<index>(cell), rest...); };
+                detail::lattice_stencil(*graph_, *graph_->lattice())
+                    .apply(steps, field, work_[0].data(), work_[1].data(), rate_ / graph_->volume(0), by_lists);
+            } else {
+                sweep_all(steps, field);
+            }
+        }
+        return measure(field);
+    }
+
+  private:
+    using index = std::int32_t;
+
+    static double checked(const cell_graph<Communicator>& graph, double width, const settings& options) {
+        if (!(width >= 0 && std::isfinite(width))) {
+            throw bad_value("kernel_smoother width", bad_value::no_index, width, "finite and >= 0 [m]");
+        }
+        if (!(options.tolerance > 0 && options.tolerance < 1)) {
+            throw bad_value("kernel_smoother tolerance", bad_value::no_index, options.tolerance, "in (0, 1)");
+        }
+        const bool bare = !graph.has_conductances();
+        if (graph.communicator().any(bare)) {
+            throw bad_value("number of conductances of the graph", bad_value::no_index, 0,
+                            "one for each face: mesh_traits need for_each_face");
+        }
+        return width;
+    }
+
+    /// Twice the largest rate at which a cell exchanges with its neighbours [1/m^2]: no eigenvalue of L is larger
+    /// (Gershgorin).
+    static double spectral_bound(const cell_graph<Communicator>& graph) {
+        double largest = 0;
+        for (index c = 0; c < graph.cell_count(); ++c) {
+            double sum = 0;
+            for (std::uint32_t k = graph.row_begin(c); k < graph.row_end(c); ++k) {
+                sum += static_cast<double>(graph.conductances()[k]);
+            }
+            largest = std::max(largest, sum / graph.volume(c));
+        }
+        return 2 * graph.communicator().max(largest);
+    }
+
+    /// Cells that see a ghost: they wait for it, the others do not.
+    void find_border() {
+        for (index c = 0; c < graph_->cell_count(); ++c) {
+            bool sees_ghost = false;
+            graph_->for_each_neighbour(c, [&](index n) { sees_ghost = sees_ghost || !graph_->is_owned(n); });
+            if (sees_ghost) border_.push_back(c);
+        }
+    }
+
+    /// Starts the recurrence: the last coefficient times the field, and zero.
+    template <class Field>
+    void load(const Field& field) {
+        std::optional<bad_value> wrong;
+        const double c = series_[series_.terms()];
+        for (index i = 0; i < graph_->cell_count(); ++i) {
+            const auto value = static_cast<double>(field[i]);
+            if (!std::isfinite(value) && !wrong) {
+                wrong.emplace("field to smooth, cell", graph_->global_index(i), value, "finite");
+            }
+            if (series_.terms() > 0) work_[0][static_cast<std::size_t>(i)] = c * value;
+        }
+        throw_agreed(graph_->communicator(), wrong);
+        std::fill(work_[1].begin(), work_[1].end(), 0.0);
+    }
+
+    /// One term for one cell, neighbours in the order of their global indices.
+    template <class Input, class Output>
+    void step(index cell, const detail::clenshaw_term& term, const Input& input, const double* b, const double* b_before,
+              Output& output) const {
+        const index* neighbours = graph_->neighbours();
+        const float* conductances = graph_->conductances();
+        double sum = 0;
+        const double here = b[cell];
+        const std::uint32_t end = graph_->row_end(cell);
+        for (std::uint32_t k = graph_->row_begin(cell); k < end; ++k) {
+            sum += static_cast<double>(conductances[k]) * (b[neighbours[k]] - here);
+        }
+        const double value = term.c * static_cast<double>(input[cell]) +
+                             term.factor * (here + rate_ / graph_->volume(cell) * sum) - b_before[cell];
+        output[cell] = static_cast<std::decay_t<decltype(output[cell])>>(value);
+    }
+
+    template <class Field>
+    void sweep_all(const std::vector<detail::clenshaw_term>& steps, Field& field) {
+        double* b = work_[0].data();
+        double* b_next = work_[1].data();
+        for (std::size_t s = 0; s < steps.size(); ++s) {
+            if (s + 1 < steps.size()) {
+                sweep(steps[s], field, b, b_next, b_next);
+            } else {
+                sweep(steps[s], field, b, b_next, field);
+            }
+            std::swap(b, b_next);
+        }
+    }
+
+    template <class Input, class Output>
+    void sweep(const detail::clenshaw_term& term, const Input& input, double* b, const double* b_before, Output& output) {
+        auto under_way = graph_->halo().begin_gather(b);
+        auto border = border_.begin();
+        for (index c = 0; c < graph_->cell_count(); ++c) {
+            if (border != border_.end() && *border == c) {
+                ++border;
+            } else {
+                step(c, term, input, b, b_before, output);
+            }
+        }
+        graph_->halo().end_gather(under_way);
+        for (const index c : border_) step(c, term, input, b, b_before, output);
+    }
+
+    template <class Field>
+    smoothing_report measure(const Field& field) const {
+        double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+        for (index c = 0; c < graph_->cell_count(); ++c) {
+            lowest = std::min(lowest, static_cast<double>(field[c]));
+            highest = std::max(highest, static_cast<double>(field[c]));
+        }
+        return {terms(), -graph_->communicator().max(-lowest), graph_->communicator().max(highest)};
+    }
+
+    const cell_graph<Communicator>* graph_;
+    double width_;
+    double bound_;  // of the eigenvalues of L [1/m^2]
+    double rate_;   // 2 / bound_ [m^2]
+    heat_kernel_series series_;
+    std::array<std::vector<double>, 2> work_;
+    std::vector<index> border_;
+};
+
+}  // namespace hearth
