@@ -4,10 +4,11 @@
 #             adapt   mpi   eigen
 #                \     |     /
 #  scene -> transfer, voidage, time -> closure -> core -> the standard library
-#  furnace -> dem, gas, combustion -> all of the above; the three never include one another
+#  furnace -> dem, gas, combustion -> io, all of the above; the three never include one another
 #
 # An arrow means "may include".  A rule is a folder and a regular expression of what its files may include.
 set(numbers "core/(scalar|interval|constants|function|error|assert)\\.hpp")  # a closure never sees a mesh
+set(library "(core|closure|voidage|transfer|time|scene|mpi)/|(eigen|version)\\.hpp")
 set(rules
     "include/hearth/core       core/"
     "include/hearth/closure    closure/|${numbers}"
@@ -20,9 +21,10 @@ set(rules
     "include/hearth/eigen.hpp  core/|<(unsupported/)?Eigen/"
     "include/hearth/hearth.hpp (core|closure|voidage|transfer|time|scene)/|adapt/raw\\.hpp|version\\.hpp"
     "include/hearth/version.hpp NOTHING"
-    "examples/solvers/dem        (core|closure|voidage|transfer|time|scene|mpi|dem)/|eigen\\.hpp|FOREIGN"
-    "examples/solvers/gas        (core|closure|voidage|transfer|time|scene|mpi|gas)/|eigen\\.hpp|FOREIGN"
-    "examples/solvers/combustion (core|closure|voidage|transfer|time|scene|mpi|combustion)/|eigen\\.hpp|FOREIGN")
+    "examples/solvers/io         ${library}|io/|FOREIGN"
+    "examples/solvers/dem        ${library}|(dem|io)/|FOREIGN"
+    "examples/solvers/gas        ${library}|(gas|io)/|FOREIGN"
+    "examples/solvers/combustion ${library}|(combustion|io)/|FOREIGN")
 
 # Sets `out` to the list of violations in a source tree.
 function(violations tree out)

@@ -11,6 +11,7 @@
 #include <hearth/core/agree.hpp>
 #include <hearth/core/assert.hpp>
 #include <hearth/core/cell_graph.hpp>
+#include <hearth/core/cell_locator.hpp>
 #include <hearth/core/communicator.hpp>
 #include <hearth/core/conformance.hpp>
 #include <hearth/core/constants.hpp>
@@ -30,6 +31,8 @@
 #include <hearth/core/reproducible_sum.hpp>
 #include <hearth/core/scalar.hpp>
 #include <hearth/core/strided_cloud.hpp>
+#include <hearth/core/thermal_link.hpp>
+#include <hearth/core/unique_ids.hpp>
 
 #include <hearth/closure/beetstra.hpp>
 #include <hearth/closure/di_felice.hpp>
@@ -43,7 +46,28 @@
 #include <hearth/closure/wakao_kaguei.hpp>
 #include <hearth/closure/wen_yu.hpp>
 
+#include <hearth/voidage/chebyshev.hpp>
+#include <hearth/voidage/deposit.hpp>
+#include <hearth/voidage/footprints.hpp>
+#include <hearth/voidage/kernel_smoother.hpp>
+#include <hearth/voidage/lattice_stencil.hpp>
+#include <hearth/voidage/vfs.hpp>
+#include <hearth/voidage/vfs_cells.hpp>
+#include <hearth/voidage/vfs_completion.hpp>
+#include <hearth/voidage/vfs_log.hpp>
+#include <hearth/voidage/vfs_regions.hpp>
+#include <hearth/voidage/vfs_wave.hpp>
+#include <hearth/voidage/visitors.hpp>
 
 
-
+#include <hearth/time/acceleration_switch.hpp>
+#include <hearth/time/caloric.hpp>
+#include <hearth/time/gas_exchange.hpp>
+#include <hearth/time/limits.hpp>
+#include <hearth/time/network_solver.hpp>
+#include <hearth/time/particle_energy.hpp>
+#include <hearth/time/thermal_network.hpp>
+#include <hearth/time/tssm.hpp>
+#include <hearth/time/tssm_error.hpp>
+#include <hearth/time/tssm_ledger.hpp>
 

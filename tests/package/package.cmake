@@ -1,27 +1,27 @@
 # SPDX-License-Identifier: MIT
 # cmake -D case=install|found|added|refused -D build= -D scratch= -D source= ... -P package.cmake; see CMakeLists.txt.
 set(prefix ${scratch}/prefix)
-set(consumer ${CMAKE_CURRENT_LIST_DIR}/consumer)
 
 # The consumer's configure step with the project's compiler; the caller appends definitions.  The flags must be the
 # project's: a sanitised library cannot be linked into a program that is not.
-set(configure ${CMAKE_COMMAND} -G ${generator} -S ${consumer} -D CMAKE_CXX_COMPILER=${compiler}
-    -D "CMAKE_CXX_FLAGS=${flags}" -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+set(configure ${CMAKE_COMMAND} -G ${generator} -D CMAKE_CXX_COMPILER=${compiler} -D "CMAKE_CXX_FLAGS=${flags}"
+    -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
 
-# Configures, builds and runs the consumer.
-function(use name)
-    set(folder ${scratch}/${name})
+# Configures, builds and runs a consumer.
+function(use program)
+    set(folder ${scratch}/${case})
     file(REMOVE_RECURSE ${folder})
-    execute_process(COMMAND ${configure} -B ${folder} ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND ${configure} -S ${CMAKE_CURRENT_LIST_DIR}/${program} -B ${folder} ${ARGN}
+        COMMAND_ERROR_IS_FATAL ANY)
     execute_process(COMMAND ${CMAKE_COMMAND} --build ${folder} COMMAND_ERROR_IS_FATAL ANY)
-    execute_process(COMMAND ${folder}/consumer COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND ${folder}/${program} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
 # Demands that the consumer's configure step fails and says `sentence`.
 function(refuse sentence)
     set(folder ${scratch}/refused)
     file(REMOVE_RECURSE ${folder})
-    execute_process(COMMAND ${configure} -B ${folder} ${ARGN}
+    execute_process(COMMAND ${configure} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${folder} ${ARGN}
         RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
     string(REGEX REPLACE "[ \n]+" " " output "${output}")  # CMake wraps its messages
     string(FIND "${output}" "${sentence}" position)
@@ -50,14 +50,15 @@ if(case STREQUAL install)
         file(REMOVE ${mpi_files})
     endif()
 elseif(case STREQUAL found)
-    use(found -D how=find_package)
+    use(my_solver)
+    use(consumer -D how=find_package)
     if(mpi)
-        use(found_mpi -D how=find_package -D components=mpi)
+        use(consumer -D how=find_package -D components=mpi)
     endif()
     # An optional component that is not there is no error.
-    use(found_optional -D how=find_package -D optional=mpi -D CMAKE_PREFIX_PATH=${prefix}-without-mpi)
+    use(consumer -D how=find_package -D optional=mpi -D CMAKE_PREFIX_PATH=${prefix}-without-mpi)
 elseif(case STREQUAL added)
-    use(added -D how=add_subdirectory -D source=${source})
+    use(consumer -D how=add_subdirectory -D source=${source})
 elseif(case STREQUAL refused)
     refuse("hearth was installed without component 'mpi'"
         -D how=find_package -D components=mpi -D CMAKE_PREFIX_PATH=${prefix}-without-mpi)
