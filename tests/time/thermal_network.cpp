@@ -127,11 +127,13 @@ TEST_CASE("thermal network: two spheres meet at the mean of their heat, each at 
         thermal_network().advance(pairs, baths, mass, caloric_of, tssm_per_particle(678.0, factor), 1e9, t, taken);
         return t;
     };
-    // After 1e9 s the gap of 800 K is down by the step times the rate, at least 2e7 (both slow, the second at Gamma 1), by
-    // backward Euler's 1/(1 + rate step).  m c / Gamma weighs: (2*400 + 6*1200)/8 = 1000, and (2/1*400 + 6/678*1200)/(2/1 + 6/678).
+    // Backward Euler leaves 1/(1 + rate step) of the gap of 800 K; rate step is at least 0.02 (1/1 + 678/3) 1e9 = 4.5e9.
+    // m c / Gamma weighs: (2*400 + 6*1200)/8 = 1000, and (2/1*400 + 6/678*1200)/(2/1 + 6/678).
     for (const double t : meet({678.0, 678.0})) CHECK(t == doctest::Approx(1000).epsilon(1e-9));
     for (const double t : meet({1.0, 678.0}))
-        CHECK(t == doctest::Approx((2 * 400 + 6.0 / 678 * 1200) / (2 + 6.0 / 678))@@ step is the explicit rate: relative error of half the rate times the step, 2e-5.
+        CHECK(t == doctest::Approx((2 * 400 + 6.0 / 678 * 1200) / (2 + 6.0 / 678)).epsilon(1e-9));
+
+    // A short step is the explicit rate: relative error of half the rate times the step, 2e-5.
     std::vector<double> t{400.0, 1200.0};
     thermal_network().advance(pairs, baths, mass, caloric_of, tssm(678.0), 1e-6, t, taken);
     CHECK(t[0] - 400 == doctest::Approx(678 * 0.02 * 800 / (2e-3 * 500) * 1e-6).epsilon(2e-5));
