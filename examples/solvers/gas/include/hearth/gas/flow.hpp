@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <hearth/gas/gradient.hpp>
+#include <hearth/gas/linear.hpp>
+#include <hearth/gas/mesh.hpp>
+
+namespace hearth::gas {
+
+/// What drives and resists the flow, handed in before each outer iteration.  Fields per cell with ghosts.
+struct flow_medium {
+    std::vector<double> density;            ///< [kg/m^3]
+    std::vector<double> compressibility;    ///< d(density)/d(pressure) [kg/(m^3 Pa)]; used in transients only
+    std::vector<double> void_fraction;      ///< [-]
+    std::vector<double> viscosity;          ///< effective; 0 in the bed, where the drag holds all friction [Pa s]
+    std::vector<double> exchange;           ///< drag on the particles per slip of the interstitial gas [kg/(m^3 s)]
+    std::vector<vector3> particle_velocity; ///< [m/s]
+    std::vector<double> mass_source;        ///< [kg/s] per cell
+    std::vector<vector3> momentum_source;   ///< with the mass source, and any other force [N] per cell
+    vector3 gravity;                        ///< [m/s^2]
+};
+
+/// Conditions per boundary face.
+struct flow_boundary {
+    enum class kind : unsigned char { inlet, outlet, wall, slip };
+    std::vector<kind> type;
+    std::vector<double> mass_flux;      ///< inlet: out of the domain, so negative [kg/s]
+    std::vector<double> pressure;       ///< outlet: above the reference [Pa]
+    std::vector<vector3> velocity;      ///< superficial; inlet and wall [m/s]
+    std::vector<double> wall_viscosity; ///< wall: effective, from the wall function [Pa s]
+};
+
+/// The state of the flow.
+struct flow_state {
+    std::vector<double> pressure;       ///< above the reference, per cell [Pa]
+    std::vector<vector3> velocity;      ///< superficial, per cell [m/s]
+    std::vector<double> mass_flux;      ///< through each face, from owner to neighbour [kg/s]
+    std::vector<vector3> pressure_gradient;  ///< per cell, consistent with the fluxes [Pa/m]
+};
+
+/// What a time step keeps of the step before.  step = 0: steady.
+struct flow_history {
+    double step = 0;                    ///< [s]
+    double storage = 1;                 ///< factor s on the storage of mass (time scale splitting) [-]
+    std::vector<double> density, void_fraction, mass_flux;
+    std::vector<vector3> velocity;
+};
+
+struct flow_settings {
+    double relaxation = 0.9;            ///< of the momentum equation, (0, 1]; the steady result does not depend on it
+    bool inertia = true;                ///< false: Darcy-Forchheimer, only resistance and body forces
+    /// Least resistance [kg/(m^3 s)].  Without inertia it is what gas outside the bed feels; with inertia it only relaxes.
+    double resistance_floor = 1e-3;
+    int momentum_sweeps = 2;            ///< Gauss-Seidel sweeps over the three components
+    solve_settings pressure{0.05, 0, 200};
+};
+
+struct flow_report {
+    double mass_imbalance = 0;          ///< before the pressure solve: sum of |net flux| over the through-flow [-]
+    double velocity_change = 0;         ///< of this iteration, rms over rms [-]
+    double pressure_change = 0;         ///< rms over the range of pressures [-]
+    solve_report pressure;
+};
+
+/// Momentum and pressure: SIMPLEC (Van Doormaal & Raithby 1984, doi:10.1080/01495728408961817) for the superficial
+/// velocity w = void fraction * u of a gas in a bed.
+///
+/// Momentum over the void fraction e, so that the pressure gradient stands bare (model A, Bernoulli across jumps of e):
+///     (1/e) [ rho e du/dt + rho w.grad u - div(mu grad w) ] = -grad p + rho g - (beta / e)(u - v).
+///
+/// Each face carries the momentum equation integrated from one cell centre to the other, the coefficients of each cell
+/// over that cell's part of the way; the mass flux per area is the same on both sides.  So a resistance that jumps
+/// acts harmonically, Ergun's column comes out exactly, a resting gas rests, and pressures cannot alternate.  The cell's
+/// velocity is rebuilt from its face fluxes, and the pressure gradient of the cell is the one that these satisfy.
+class flow {
+  public:
+    flow(const mesh& m, const pattern& p, const gradient& g, const parallel& ranks);
+
+    flow_state make_state() const;
+
+    /// One outer iteration: predicts the velocity, solves the pressure, corrects the fluxes.
+    flow_report iterate(flow_state& state, const flow_medium& medium, const flow_boundary& boundary,
+                        const flow_history& history, const flow_settings& settings);
+
+    /// Velocity gradients of the last iteration, three vectors per cell. [1/s]
+    const std::vector<vector3>& velocity_gradient() const { return gradient_; }
+
+  private:
+    void assemble_momentum(const flow_state&, const flow_medium&, const flow_boundary&, const flow_history&,
+                           const flow_settings&);
+    void add_convection_and_diffusion(const flow_state&, const flow_medium&, const flow_boundary&);
+    void predict(flow_state&, const flow_medium&, const flow_history&, const flow_settings&);
+    void assemble_pressure(const flow_state&, const flow_medium&, const flow_boundary&, const flow_history&);
+    void correct(flow_state&, const flow_medium&, const flow_history&);
+
+    const mesh* mesh_;
+    const pattern* pattern_;
+    const gradient* gradients_;
+    const parallel* ranks_;
+    symmetric_solver pressure_solver_;
+    matrix momentum_, pressure_;
+    std::vector<vector3> gradient_;           // of the velocity, three per cell
+    std::vector<vector3> source_;             // of momentum, without the pressure gradient [N / e]
+    std::vector<vector3> drive_;              // forces of the neighbours and sources, the cell's own share taken off [N/m^3]
+    std::vector<vector3> previous_, boundary_velocity_;
+    std::vector<double> inverse_void_;
+    std::vector<double> coupling_;            // sum of the couplings of a row [kg/s]
+    std::vector<double> total_;               // diagonal without relaxation and inertia [kg/s]
+    std::vector<double> relax_, inertia_;     // further diagonal parts; then all per volume [kg/(m^3 s)]
+    std::vector<double> right_, conductance_, explicit_flux_, previous_pressure_;
+};
+
+}  // namespace hearth::gas

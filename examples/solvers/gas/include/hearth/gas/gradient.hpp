@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include <hearth/gas/mesh.hpp>
+
+namespace hearth::gas {
+
+/// Least-squares gradients, exact for linear fields on any mesh.  Built once per mesh.
+class gradient {
+  public:
+    explicit gradient(const mesh& m);
+
+    /// Gradients of `Width` fields that are stored cell by cell.  `boundary` holds the values on the boundary faces,
+    /// `field` its ghosts.  The results of owned cells are written; ghosts are the caller's to gather.
+    template <int Width>
+    void compute(const double* field, const double* boundary, vector3* out) const;
+
+  private:
+    const mesh* mesh_;
+    struct symmetric { double xx, xy, xz, yy, yz, zz; };
+    std::vector<symmetric> inverse_;
+};
+
+/// van Leer's limiter on a face between the upwind cell and the downwind one (J. Comput. Phys. 14 (1974) 361,
+/// doi:10.1016/0021-9991(74)90019-9), with the far upwind difference taken from the gradient.
+/// Returns what to add to the upwind value.  `share` is the distance of the face from the upwind cell over that of the
+/// two centres; `slope` the upwind gradient times the vector between the centres.
+inline double limited_correction(double difference, double slope, double share) {
+    const double behind = 2 * slope - difference;  // difference across the cell behind the upwind one
+    const double product = behind * difference;
+    if (!(product > 0)) return 0;                  // an extremum: first order
+    const double van_leer = 2 * product / (behind + difference);  // harmonic mean of the two differences
+    const double correction = share * van_leer;
+    return std::abs(correction) > std::abs(difference) ? difference : correction;
+}
+
+}  // namespace hearth::gas

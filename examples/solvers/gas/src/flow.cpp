@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include <hearth/gas/flow.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hearth::gas {
+
+namespace {
+
+std::unique_ptr<preconditioner> pressure_preconditioner(const mesh& m, const pattern& p, const parallel& ranks) {
+    if (ranks.ranks() > 1)
+        if (auto all_ranks = make_hypre(p, m, ranks)) return all_ranks;
+    return make_multigrid(p);
+}
+
+}  // namespace
+
+flow::flow(const mesh& m, const pattern& p, const gradient& g, const parallel& ranks)
+    : mesh_(&m),
+      pattern_(&p),
+      gradients_(&g),
+      ranks_(&ranks),
+      pressure_solver_(p, pressure_preconditioner(m, p, ranks), ranks),
+      momentum_(p),
+      pressure_(p),
+      gradient_(3 * static_cast<std::size_t>(m.cells())),
+      source_(m.cells()),
+      drive_(m.cells()),
+      boundary_velocity_(m.boundary_faces()),
+      inverse_void_(m.cells()),
+      coupling_(m.cells()),
+      total_(m.cells()),
+      relax_(m.cells()),
+      inertia_(m.cells()),
+      right_(m.owned_cells()),
+      conductance_(m.faces()),
+      explicit_flux_(m.faces()) {}
+
+flow_state flow::make_state() const {
+    flow_state s;
+    s.pressure.assign(mesh_->cells(), 0.0);
+    s.velocity.assign(mesh_->cells(), {});
+    s.mass_flux.assign(mesh_->faces(), 0.0);
+    s.pressure_gradient.assign(mesh_->cells(), {});
+    return s;
+}
+
+flow_report flow::iterate(flow_state& state, const flow_medium& medium, const flow_boundary& boundary,
+                          const flow_history& history, const flow_settings& settings) {
+    const mesh& m = *mesh_;
+    const int n = m.owned_cells();
+    flow_report report;
+    for (int f = m.internal_faces(); f < m.faces(); ++f)
+        if (boundary.type[f - m.internal_faces()] == flow_boundary::kind::inlet)
+            state.mass_flux[f] = boundary.mass_flux[f - m.internal_faces()];
+    assemble_momentum(state, medium, boundary, history, settings);
+    predict(state, medium, history, settings);
+    assemble_pressure(state, medium, boundary, history);
+
+    std::vector<double>& residual = inverse_void_;  // free from here on
+    pressure_.apply(state.pressure.data(), residual.data());
+    double sums[6] = {0, 0, 0, 0, 0, 0};
+    for (int c = 0; c < n; ++c) sums[0] += std::abs(right_[c] - residual[c]);
+    for (int f = m.internal_faces(); f < m.faces(); ++f) sums[1] += 0.5 * std::abs(state.mass_flux[f]);
+    for (int c = 0; c < n; ++c) sums[1] += 0.5 * std::abs(medium.mass_source[c]);
+    previous_pressure_.assign(state.pressure.begin(), state.pressure.begin() + n);
+    report.pressure = pressure_solver_.solve(pressure_, right_.data(), state.pressure.data(), settings.pressure);
+    correct(state, medium, history);
+
+    double low = 0, high = 0;
+    for (int c = 0; c < n; ++c) {
+        const vector3 change = state.velocity[c] - previous_[c];
+        sums[2] += dot(change, change);
+        sums[3] += dot(state.velocity[c], state.velocity[c]);
+        const double step = state.pressure[c] - previous_pressure_[c];
+        sums[4] += step * step;
+        sums[5] += 1;
+        low = std::min(low, state.pressure[c]);
+        high = std::max(high, state.pressure[c]);
+    }
+    ranks_->sum(sums, 6);
+    const double range = ranks_->max(high) + ranks_->max(-low);
+    const auto ratio = [](double a, double b) { return a > 0 ? (b > 0 ? a / b : 1.0) : a == 0 ? 0.0 : a; };
+    report.mass_imbalance = ratio(sums[0], sums[1]);
+    report.velocity_change = std::sqrt(ratio(sums[2], sums[3]));
+    report.pressure_change = ratio(std::sqrt(sums[4] / sums[5]), range);
+    return report;
+}
+
+void flow::assemble_pressure(const flow_state& state, const flow_medium& medium, const flow_boundary& boundary,
+                             const flow_history& history) {
+    const mesh& m = *mesh_;
+    const int internal = m.internal_faces(), n = m.owned_cells();
+    const bool skewed = m.largest_angle > 0.01;
+    pressure_.clear();
+    for (int c = 0; c < n; ++c) {
+        right_[c] = medium.mass_source[c];
+        if (!(history.step > 0)) continue;
+        const double storage = history.storage * m.volume[c] / history.step, e = medium.void_fraction[c];
+        const double give = storage * e * medium.compressibility[c];
+        pressure_.diagonal[c] = give;
+        right_[c] += give * state.pressure[c] - storage * (e * medium.density[c] -
+                                                           history.void_fraction[c] * history.density[c]);
+    }
+    bool level_is_set = history.step > 0 && history.storage > 0;
+    if (level_is_set) {
+        double give = 0;
+        for (int c = 0; c < n; ++c) give += pressure_.diagonal[c];
+        level_is_set = ranks_->sum(give) > 0;
+    }
+    const double per_step = history.step > 0 ? 1 / history.step : 0;
+    // Integral of the momentum equation over the way from centre to centre: p's part of it, q's part of it.
+    struct half { double stiffness, relax, old; vector3 drive; };
+    const auto half_way = [&](int c, double part) {
+        const double per_density = part / medium.density[c];
+        return half{(total_[c] + relax_[c] + inertia_[c]) * per_density, relax_[c] * per_density,
+                    part * per_step / medium.void_fraction[c], part * drive_[c]};
+    };
+    for (int f = 0; f < m.faces(); ++f) {
+        const int p = m.owner[f];
+        const int b = f - internal;
+        if (b >= 0 && boundary.type[b] != flow_boundary::kind::outlet) {
+            conductance_[f] = 0;
+            explicit_flux_[f] = boundary.type[b] == flow_boundary::kind::inlet ? boundary.mass_flux[b] : 0;
+            right_[p] -= explicit_flux_[f];
+            continue;
+        }
+        const double part = b >= 0 ? 1 : 1 - m.owner_weight[f];
+        half h = half_way(p, part);
+        vector3 slope = part * state.pressure_gradient[p], d = m.face_centre[f] - m.centre[p];
+        if (b < 0) {
+            const int q = m.neighbour[f];
+            const half other = half_way(q, 1 - part);
+            h.stiffness += other.stiffness;
+            h.relax += other.relax;
+            h.old += other.old;
+            h.drive += other.drive;
+            slope += (1 - part) * state.pressure_gradient[q];
+            d = m.centre[q] - m.centre[p];
+        }
+        double push = dot(m.area[f], h.drive) + h.relax * state.mass_flux[f];
+        if (history.step > 0) push += h.old * history.mass_flux[f];
+        if (skewed) push -= dot(m.area[f] - m.conductance[f] * d, slope);
+        const double conductance = m.conductance[f] / h.stiffness;
+        conductance_[f] = conductance;
+        explicit_flux_[f] = push / h.stiffness;
+        pressure_.diagonal[p] += conductance;
+        if (b >= 0) {
+            explicit_flux_[f] -= conductance * boundary.pressure[b];
+            right_[p] -= explicit_flux_[f];
+            level_is_set = true;
+            continue;
+        }
+        const int q = m.neighbour[f];
+        right_[p] -= explicit_flux_[f];
+        pressure_.entry[pattern_->owner_entry[f]] = -conductance;
+        if (q < n) {
+            right_[q] += explicit_flux_[f];
+            pressure_.diagonal[q] += conductance;
+            pressure_.entry[pattern_->neighbour_entry[f]] = -conductance;
+        }
+    }
+    if (!(ranks_->max(level_is_set ? 1.0 : 0.0) > 0) && (m.global.empty() || m.global[0] == 0))
+        pressure_.diagonal[0] *= 2;  // nothing sets the level: the first cell keeps the reference
+}
+
+void flow::correct(flow_state& state, const flow_medium& medium, const flow_history& history) {
+    const mesh& m = *mesh_;
+    const int internal = m.internal_faces(), n = m.owned_cells();
+    const bool skewed = m.largest_angle > 0.01;
+    std::vector<vector3>& momentum = source_;  // free from here on: void fraction * density * velocity, times volume
+    std::fill(momentum.begin(), momentum.end(), vector3{});
+    // volume * G = sum of F (x_f - x_P) is exact for a constant G; what a slope of w adds to F is taken off first, so that
+    // it is exact for a linear w too (in cells whose opposite faces are alike the slope adds nothing)
+    const auto rebuild = [&](int c, int f, double flux, double sign) {
+        const vector3 d = m.face_centre[f] - m.centre[c];
+        if (skewed) {
+            const vector3* g = &gradient_[3 * c];
+            flux -= medium.density[c] * dot(m.area[f], vector3{dot(g[0], d), dot(g[1], d), dot(g[2], d)});
+        }
+        momentum[c] += (sign * flux) * d;
+    };
+    for (int f = 0; f < m.faces(); ++f) {
+        const int p = m.owner[f];
+        double flux = explicit_flux_[f];
+        if (f < internal) {
+            const int q = m.neighbour[f];
+            flux += conductance_[f] * (state.pressure[p] - state.pressure[q]);
+            rebuild(q, f, flux, -1);
+        } else {
+            flux += conductance_[f] * state.pressure[p];
+        }
+        rebuild(p, f, flux, 1);
+        state.mass_flux[f] = flux;
+    }
+    for (int c = 0; c < n; ++c) {
+        const vector3 w = 1 / (m.volume[c] * medium.density[c]) * momentum[c];
+        state.velocity[c] = w;
+        vector3 rest = drive_[c] - (total_[c] + relax_[c] + inertia_[c]) * w + relax_[c] * previous_[c];
+        if (history.step > 0)
+            rest += inertia_[c] * medium.void_fraction[c] / history.void_fraction[c] * history.velocity[c];
+        state.pressure_gradient[c] = rest;
+    }
+    ranks_->gather(&state.velocity[0].x, 3);
+    ranks_->gather(&state.pressure_gradient[0].x, 3);
+}
+
+}  // namespace hearth::gas
