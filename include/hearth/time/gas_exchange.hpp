@@ -28,10 +28,16 @@ namespace hearth {
 /// scatter, and T_p ends between its own temperature and that of the gas around it.
 ///
 /// cp(T): C takes the least of the specific heats at the particle, at the gas, and of the chord between them, so the
-/// enthalpy that a particle receives cannot carry it past gas at or between these temperatures.
+/// enthalpy that a particle receives cannot carry it past gas of the temperature that prepare() was told.  Where cp bends
+/// and the gas moves far in one step, overshoots() says before finish() how many particles would pass the gas; then repeat
+/// the three moves, telling prepare() the gas that came out:
+///
+///     do { exchange.prepare(..., at_particles, ...); gas from its state before the step; w.gather(gas, at_particles); }
+///     while (exchange.overshoots(at_particles, ...) > 0);
 class gas_exchange {
   public:
-    /// conductance[i] = h A [W/K], >= 0; gas_temperature[i] before the step, at the particle [K].
+    /// conductance[i] = h A [W/K], >= 0; gas_temperature[i] at the particle [K]: before the step, or a better guess of it
+    /// after the step.
     /// Throws bad_value, before it changes anything.
     template <class Clock, class Mass, class CaloricOf>
     void prepare(const std::vector<double>& conductance, const std::vector<double>& gas_temperature, const Mass& mass,
@@ -70,15 +76,25 @@ class gas_exchange {
     const std::vector<double>& coefficient() const { return coefficient_; }  ///< [W/K]
     const std::vector<double>& source() const { return source_; }            ///< [W]
 
-    struct report {
-        double heat = 0.0;           ///< that the gas lost, by the model's clock [J]
-        std::int64_t overshoots = 0; ///< particles past the gas at their place; 0 unless cp(T) bends within the step
-    };
+    /// Particles that finish() would carry past the gas at their place; always 0 for a constant specific heat.
+    template <class Clock, class Mass, class CaloricOf>
+    std::int64_t overshoots(const std::vector<double>& gas_temperature, const Mass& mass, const CaloricOf& caloric_of,
+                            const Clock& clock, const std::vector<double>& temperature) const {
+        std::int64_t count = 0;
+        for (std::size_t i = 0; i < temperature.size(); ++i) {
+            const double gap = gas_temperature[i] - temperature[i];
+            const double after = carried(clock.factor(i) * lost(i, gap), mass[i], caloric_of(i), temperature[i]);
+            // Past by more than round-off: 1e-10 of the gap and some digits of the temperature itself.
+            if ((gas_temperature[i] - after) * gap < -(1e-10 * std::fabs(gap) + 1e-14 * after) * std::fabs(gap)) ++count;
+        }
+        return count;
+    }
 
+    /// Advances the temperatures [K] and returns the heat that the gas lost, by the model's clock [J].
     /// gas_temperature[i] after the gas's step, at the particle [K]; taken[i] in the particle's own time, its conducted
     /// part being all of it.  Throws bad_value, before it changes anything.
     template <class Clock, class Mass, class CaloricOf>
-    report finish(const std::vector<double>& gas_temperature, const Mass& mass, const CaloricOf& caloric_of,
+    double finish(const std::vector<double>& gas_temperature, const Mass& mass, const CaloricOf& caloric_of,
                   const Clock& clock, std::vector<double>& temperature,
                   std::vector<particle_step<double>>& taken) const {
         if (gas_temperature.size() != coefficient_.size() || temperature.size() != coefficient_.size())
@@ -87,23 +103,26 @@ class gas_exchange {
         for (std::size_t i = 0; i < temperature.size(); ++i)
             detail::require_positive("gas temperature at particle", static_cast<std::int64_t>(i), gas_temperature[i],
                                      "finite and > 0 [K]");
-        report result;
+        double total = 0.0;
         taken.resize(temperature.size());
         for (std::size_t i = 0; i < temperature.size(); ++i) {
-            const auto& caloric = caloric_of(i);
-            const double before = temperature[i], gap = gas_temperature[i] - before;
-            const double lost = coefficient_[i] * gap * step_;
-            const double heat = clock.factor(i) * lost;
-            const double after = caloric.temperature(caloric.enthalpy(before) + heat / mass[i]);
-            if ((gas_temperature[i] - after) * gap < -1e-12 * gap * gap - 1e-14 * std::fabs(before * gap)) ++result.overshoots;
-            taken[i] = {after, heat, heat, 0.0};
-            temperature[i] = after;
-            result.heat += lost;
+            const double lost_by_gas = lost(i, gas_temperature[i] - temperature[i]);
+            const double heat = clock.factor(i) * lost_by_gas;
+            temperature[i] = carried(heat, mass[i], caloric_of(i), temperature[i]);
+            taken[i] = {temperature[i], heat, heat, 0.0};
+            total += lost_by_gas;
         }
-        return result;
+        return total;
     }
 
   private:
+    double lost(std::size_t i, double gap) const { return coefficient_[i] * gap * step_; }
+
+    template <class Caloric>
+    static double carried(double heat, double mass, const Caloric& caloric, double before) {
+        return caloric.temperature(caloric.enthalpy(before) + heat / mass);
+    }
+
     template <class Caloric>
     static double least_specific_heat(const Caloric& caloric, double here, double there) {
         const double at_ends = std::fmin(caloric.specific_heat(here), caloric.specific_heat(there));
