@@ -7,6 +7,7 @@
 namespace host {
 
 struct mesh {};
+struct cloud {};
 using point = std::array<double, 3>;
 
 struct has_index {
