@@ -67,6 +67,7 @@
 #include <hearth/time/network_solver.hpp>
 #include <hearth/time/particle_energy.hpp>
 #include <hearth/time/thermal_network.hpp>
+#include <hearth/time/through_flow.hpp>
 #include <hearth/time/tssm.hpp>
 #include <hearth/time/tssm_error.hpp>
 #include <hearth/time/tssm_ledger.hpp>
