@@ -8,11 +8,9 @@ long standard() { return __cplusplus; }
 
 hearth::cell_graph<> build(const hearth::lattice& mesh) { return hearth::cell_graph(mesh); }
 
-double volume(const hearth::cell_graph<>& graph) {
-    graph.require_current();
-    double sum = 0;
-    for (int cell = 0; cell < graph.cell_count(); ++cell) sum += graph.volume(cell);
-    return sum;
+hearth::vfs_report smooth(const hearth::cell_graph<>& graph, std::vector<double>& solid_fraction) {
+    hearth::volume_fraction_smoother smoother(graph);
+    return smoother.smooth(solid_fraction);
 }
 
 }  // namespace UNIT
