@@ -77,6 +77,7 @@ class cell_graph {
     /// Neighbours of an owned cell: positions [row_begin, row_end) of neighbours() and conductances().
     std::uint32_t row_begin(index cell) const { return offsets_[static_cast<std::size_t>(cell)]; }
     std::uint32_t row_end(index cell) const { return offsets_[static_cast<std::size_t>(cell) + 1]; }
+    const std::uint32_t* row_bounds() const { return offsets_.data(); }
     const index* neighbours() const { return neighbours_.data(); }
     /// Face conductances [m], area over distance of the centres; empty where the host has no faces.
     const float* conductances() const { return conductances_.data(); }

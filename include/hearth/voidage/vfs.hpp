@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include <hearth/core/agree.hpp>
 #include <hearth/core/cell_graph.hpp>
@@ -15,6 +16,7 @@
 #include <hearth/voidage/vfs_cells.hpp>
 #include <hearth/voidage/vfs_completion.hpp>
 #include <hearth/voidage/vfs_log.hpp>
+#include <hearth/voidage/vfs_replay.hpp>
 #include <hearth/voidage/vfs_wave.hpp>
 
 namespace hearth {
@@ -61,7 +63,7 @@ class volume_fraction_smoother {
     /// Errors: bad_value for a threshold outside (0, 1].
     explicit volume_fraction_smoother(const Graph& graph, vfs_settings settings = {})
         : settings_(settings), mesh_(graph), cells_(static_cast<std::size_t>(graph.total_count())),
-          wave_(mesh_), completion_(mesh_) {
+          wave_(mesh_), completion_(mesh_), replay_(mesh_, log_, completion_) {
         std::optional<bad_value> wrong;
         if (!(settings.threshold > 0 && settings.threshold <= 1)) {
             wrong.emplace("threshold", bad_value::no_index, settings.threshold, "in (0, 1]");
@@ -77,9 +79,16 @@ class volume_fraction_smoother {
     /// infeasible_volume where a connected component cannot hold its solid (variant completed); stale_graph.
     template <class Field>
     [[nodiscard]] vfs_report smooth(Field&& solid_fraction) {
-        return run(solid_fraction, [&](auto&& examine) {
-            for (index cell = 0; cell < mesh_.owned(); ++cell) examine(cell);
-        });
+        const double threshold = begin(solid_fraction);
+        cells_.begin_copy();
+        double maximum = 0;
+        for (index cell = 0; cell < mesh_.owned(); ++cell) {
+            const double value = read(solid_fraction, cell);
+            cells_.copy(cell, value);
+            if (value > threshold) wave_.insert(cell);
+            maximum = std::max(maximum, std::min(value, threshold));
+        }
+        return run(solid_fraction, threshold, maximum, detail::smoothing_cells::all_copied{});
     }
 
     /// The same where only these owned cells can have come above the threshold, those that a host changed.  Costs what
@@ -87,16 +96,33 @@ class volume_fraction_smoother {
     /// Errors: also bad_value for cells that are not owned.
     template <class Field, class Touched>
     [[nodiscard]] vfs_report smooth(Field&& solid_fraction, const Touched& touched) {
-        return run(solid_fraction, [&](auto&& examine) {
-            for (const auto cell : touched) {
-                if (cell < 0 || cell >= mesh_.owned()) {
-                    complain("touched cell", static_cast<std::int64_t>(cell), static_cast<double>(cell),
-                             "0 to cell_count - 1");
-                } else {
-                    examine(static_cast<index>(cell));
-                }
+        const double threshold = begin(solid_fraction);
+        double maximum = 0;
+        for (const auto cell : touched) {
+            if (cell < 0 || cell >= mesh_.owned()) {
+                complain("touched cell", static_cast<std::int64_t>(cell), static_cast<double>(cell),
+                         "0 to cell_count - 1");
+                continue;
             }
-        });
+            const double value = read(solid_fraction, static_cast<index>(cell));
+            if (value > threshold) wave_.insert(static_cast<index>(cell));
+            maximum = std::max(maximum, std::min(value, threshold));
+        }
+        return run(solid_fraction, threshold, maximum, [&](index cell) { return read(solid_fraction, cell); });
+    }
+
+    /// Moves amounts of owned cells, such as sources of momentum, heat or species [unit of choice], as the last call of
+    /// smooth() moved the solid: everything that was in a cell goes where its solid went.  Keeps the sum.  All finite.
+    template <class Field>
+    void scatter(Field&& amounts) {
+        replay_.scatter(amounts);
+    }
+
+    /// The transpose of scatter(): for each owned cell the mean of a field over the places where the solid of that cell
+    /// went; sum(amount * gather(value)) = sum(scatter(amount) * value).  A constant stays as it is.
+    template <class Field>
+    void gather(Field&& values) {
+        replay_.gather(values);
     }
 
     const Graph& graph() const { return mesh_.graph(); }
@@ -111,34 +137,35 @@ class volume_fraction_smoother {
     }
     void agree() { throw_agreed(graph().communicator(), wrong_); }
 
-    template <class Field, class ForEachExamined>
-    vfs_report run(Field& field, ForEachExamined&& for_each_examined) {
-        using scalar = std::remove_cv_t<std::remove_reference_t<decltype(field[index{0}])>>;
+    template <class Field>
+    using scalar_of = std::remove_cv_t<std::remove_reference_t<decltype(std::declval<Field&>()[std::size_t{0}])>>;
+
+    /// Forgets the former call; the threshold in the precision of the field.
+    template <class Field>
+    double begin(Field&) {
+        using scalar = scalar_of<Field>;
         static_assert(std::is_floating_point_v<scalar>, "hearth: a solid fraction is a field of float or double");
         graph().require_current();
-        const auto threshold = static_cast<double>(static_cast<scalar>(settings_.threshold));
-        // What a component may hold above its capacity: the round-off of the host's own sums.
-        const double roundoff = std::max(1e-14, 0.5 * static_cast<double>(std::numeric_limits<scalar>::epsilon()));
-
         wrong_.reset();
         log_.clear();
         wave_.clear();
-        cells_.begin();
-        const auto read = [&](index cell) {
-            const auto value = static_cast<double>(field[cell]);
-            if (value >= 0 && value <= 1e100) return value;
-            complain("solid fraction of cell", graph().global_index(cell), value, "0 to 1e100 [-]");
-            return 0.0;
-        };
-        double maximum = 0;
-        for_each_examined([&](index cell) {
-            const double value = read(cell);
-            if (value > threshold) {
-                wave_.insert(cell);
-            } else {
-                maximum = std::max(maximum, value);
-            }
-        });
+        cells_.release(mesh_.owned(), [](index) {});  // what an exception left behind
+        return static_cast<double>(static_cast<scalar>(settings_.threshold));
+    }
+
+    template <class Field>
+    double read(const Field& field, index cell) {
+        const auto value = static_cast<double>(field[static_cast<std::size_t>(cell)]);
+        if (value >= 0 && value <= 1e100) return value;
+        complain("solid fraction of cell", graph().global_index(cell), value, "0 to 1e100 [-]");
+        return 0;
+    }
+
+    template <class Field, class Read>
+    vfs_report run(Field& field, double threshold, double maximum, const Read& read) {
+        using scalar = scalar_of<Field>;
+        // What a component may hold above its capacity: the round-off of the host's own sums.
+        const double roundoff = std::max(1e-14, 0.5 * static_cast<double>(std::numeric_limits<scalar>::epsilon()));
         agree();
         wave_.run(threshold, cells_, log_, read);
         agree();  // cells that smooth() was not told of are read by the wave
@@ -157,13 +184,15 @@ class volume_fraction_smoother {
                 report.visited_cells = total(completion_.visited_cells());
             }
         }
-        for (const index cell : cells_.touched_cells()) {
-            const double value = cells_[cell].value + static_cast<double>(cells_[cell].rest);
-            field[cell] = static_cast<scalar>(value);
+        std::int64_t touched = 0;
+        cells_.release(mesh_.owned(), [&](index cell) {
+            const double value = cells_.fraction(cell);
+            field[static_cast<std::size_t>(cell)] = static_cast<scalar>(value);
             maximum = std::max(maximum, value);
-        }
+            ++touched;
+        });
         report.maximum = graph().communicator().max(maximum);
-        report.touched_cells = total(cells_.touched_cells().size());
+        report.touched_cells = total(touched);
         report.smoothed_cells = total(log_.size());
         return report;
     }
@@ -178,7 +207,7 @@ class volume_fraction_smoother {
 
     double stranded_volume(double threshold) {
         const auto excess = [&](index cell) {
-            return (cells_[cell].value - threshold + static_cast<double>(cells_[cell].rest)) * mesh_.volume(cell);
+            return cells_.above(cell, threshold) * mesh_.volume(cell);
         };
         double largest = 0;
         for (const index cell : wave_.stuck_cells()) largest = std::max(largest, excess(cell));
@@ -194,6 +223,7 @@ class volume_fraction_smoother {
     detail::smoothing_log log_;
     detail::smoothing_wave<Graph> wave_;
     detail::smoothing_completion<Graph> completion_;
+    detail::smoothing_replay<Graph> replay_;
     std::optional<bad_value> wrong_;
 };
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace hearth::detail {
@@ -19,6 +20,14 @@ struct two_sum {
     double sum;
     double error;
 };
+
+/// Asks for a cache line ahead of its use; nothing where the compiler cannot.
+inline void prefetch([[maybe_unused]] const void* address) {
+#if defined(__GNUC__)
+    __builtin_prefetch(address);
+    asm volatile("" : : "r"(address));  // GCC 12 drops a function that only prefetches, as one without effect
+#endif
+}
 
 /// Set of the integers below a size, given back in ascending order.  A tree of bits: insert costs one or two writes,
 /// drain costs what is in the set, whatever the size.
@@ -84,7 +93,10 @@ class smoothing_mesh {
     static constexpr bool is_distributed = Graph::communicator_type::is_distributed;
 
     explicit smoothing_mesh(const Graph& graph) : graph_(&graph), owned_(graph.cell_count()) {
-        for (index c = 0; c < graph.total_count(); ++c) largest_volume_ = std::max(largest_volume_, graph.volume(c));
+        const double* const volumes = graph.volumes();
+        const double* const end = volumes + graph.total_count();
+        if (volumes != end) largest_volume_ = *std::max_element(volumes, end);
+        volume_mask_ = std::all_of(volumes, end, [&](double v) { return v == *volumes; }) ? 0 : -1;
         cells_everywhere_ = owned_;
         graph.communicator().sum(&cells_everywhere_, 1);
         largest_volume_ = graph.communicator().max(largest_volume_);
@@ -94,7 +106,8 @@ class smoothing_mesh {
 
     const Graph& graph() const { return *graph_; }
     index owned() const { return owned_; }
-    double volume(index cell) const { return graph_->volumes()[cell]; }
+    /// Volume of a cell [m^3]; where all are equal, only one is read.
+    double volume(index cell) const { return graph_->volumes()[cell & volume_mask_]; }
     double largest_volume() const { return largest_volume_; }
     std::int64_t cells_everywhere() const { return cells_everywhere_; }
 
@@ -114,6 +127,9 @@ class smoothing_mesh {
         }
         return {graph_->neighbours() + graph_->row_begin(cell), graph_->neighbours() + graph_->row_end(cell)};
     }
+
+    void prefetch_row_bounds(index cell) const { prefetch(graph_->row_bounds() + cell); }
+    void prefetch_row(index cell) const { prefetch(graph_->neighbours() + graph_->row_begin(cell)); }
 
     /// Place of a cell in the order of the global indices, and back.
     std::size_t place(index cell) const {
@@ -161,6 +177,7 @@ class smoothing_mesh {
 
     const Graph* graph_;
     index owned_;
+    index volume_mask_ = -1;
     double largest_volume_ = 0;
     std::int64_t cells_everywhere_ = 0;
     std::vector<index> places_;  // empty: the cells are stored in the order of their global indices
@@ -169,54 +186,84 @@ class smoothing_mesh {
     std::vector<index> ghost_rows_;
 };
 
-/// Working copy of the fractions of those cells that a call touches; nothing of a former call has to be cleared.
+/// Working copy of the fractions, of all cells or of those that a call touches.
 class smoothing_cells {
   public:
     using index = std::int32_t;
 
+    enum flag : std::uint32_t {
+        touched = 1,
+        marked = 2,  // over-full in this sweep or an earlier one
+        visited = 4  // by the completion
+    };
     /// value + rest is the solid fraction; the rest is what rounding took from the value.
-    struct state {
+    struct content {
         double value;
         float rest;
-        std::uint32_t stamp;
+        std::uint32_t flags;
     };
-    enum flag : std::uint32_t { touched = 1, marked = 2, visited = 4 };
+    /// Instead of a function that reads the host's field: all cells were copied at the beginning.
+    struct all_copied {};
 
-    explicit smoothing_cells(std::size_t total) : states_(total, state{0, 0, 0}) {}
+    explicit smoothing_cells(std::size_t total) : contents_(total, content{0, 0, 0}) {}
 
-    /// Forgets the former call.
-    void begin() {
+    /// Visits every owned cell that was touched, and forgets all.  Costs what was touched, or one pass over the cells
+    /// if all were copied.
+    template <class Visit>
+    void release(index owned, Visit&& visit) {
+        const auto leave = [&](index cell) {
+            visit(cell);
+            (*this)[cell].flags = 0;
+        };
+        for (const index cell : touched_) leave(cell);
         touched_.clear();
-        now_ += 8;
-        if (now_ != 0) return;
-        for (state& s : states_) s.stamp = 0;  // after 2^29 calls
-        now_ = 8;
+        if (!copied_all_) return;
+        copied_all_ = false;
+        for (index cell = 0; cell < owned; ++cell) {
+            if ((*this)[cell].flags != 0) leave(cell);
+        }
     }
 
-    state& operator[](index cell) { return states_[static_cast<std::size_t>(cell)]; }
-    state* data() { return states_.data(); }
+    /// Before copying each cell with copy().
+    void begin_copy() { copied_all_ = true; }
+    void copy(index cell, double value) { (*this)[cell] = {value, 0, 0}; }
 
-    bool is_touched(const state& s) const { return s.stamp > now_; }
-    bool is(const state& s, flag f) const { return is_touched(s) && (s.stamp & f) != 0; }
-    /// Sets a flag of a touched cell.
-    void set(state& s, flag f) const { s.stamp |= f; }
+    content& operator[](index cell) { return contents_[static_cast<std::size_t>(cell)]; }
+    const content& operator[](index cell) const { return contents_[static_cast<std::size_t>(cell)]; }
+    double fraction(index cell) const { return (*this)[cell].value + static_cast<double>((*this)[cell].rest); }
+    /// What a cell holds above a fraction.
+    double above(index cell, double fraction) const {
+        return ((*this)[cell].value - fraction) + static_cast<double>((*this)[cell].rest);
+    }
 
-    /// Copies the host's value when a cell is first touched.
+    bool is(index cell, flag which) const { return ((*this)[cell].flags & which) != 0; }
+    void set(index cell, flag which) { (*this)[cell].flags |= which; }
+    void set_fraction(index cell, double value) {
+        (*this)[cell].value = value;
+        (*this)[cell].rest = 0;
+    }
+    content* data() { return contents_.data(); }
+
+    /// Content of a cell, copied from the host when it is first touched.
     template <class Read>
-    void touch(index cell, const Read& read) {
-        state& s = (*this)[cell];
-        if (is_touched(s)) return;
-        s = {read(cell), 0, now_ | touched};
-        touched_.push_back(cell);
+    content& touch(index cell, [[maybe_unused]] const Read& read) {
+        content& mine = (*this)[cell];
+        if constexpr (!std::is_same_v<Read, all_copied>) {
+            if ((mine.flags & touched) == 0) {
+                touched_.push_back(cell);
+                mine = {read(cell), 0, 0};
+            }
+        }
+        mine.flags |= touched;
+        return mine;
     }
 
-    const std::vector<index>& touched_cells() const { return touched_; }
-    std::size_t memory() const { return states_.capacity() * sizeof(state) + touched_.capacity() * sizeof(index); }
+    void prefetch(index cell) const { detail::prefetch(&(*this)[cell]); }
 
   private:
-    std::vector<state> states_;
+    std::vector<content> contents_;
     std::vector<index> touched_;
-    std::uint32_t now_ = 0;
+    bool copied_all_ = false;
 };
 
 }  // namespace hearth::detail

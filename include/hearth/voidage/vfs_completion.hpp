@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
 #include <hearth/core/error.hpp>
 #include <hearth/core/reproducible_sum.hpp>
 #include <hearth/voidage/vfs_cells.hpp>
+#include <hearth/voidage/vfs_directory.hpp>
 #include <hearth/voidage/vfs_log.hpp>
 #include <hearth/voidage/vfs_regions.hpp>
 
@@ -34,6 +36,7 @@ class smoothing_completion {
     using index = typename Graph::index;
     using mesh_type = smoothing_mesh<Graph>;
     using region_state = region_account::state;
+    static constexpr bool is_distributed = mesh_type::is_distributed;
 
     explicit smoothing_completion(const mesh_type& mesh) : mesh_(mesh) {}
 
@@ -54,25 +57,39 @@ class smoothing_completion {
         place_excess(threshold, cells, log);
     }
 
+    /// Adds up the parts of the pools of the log that are on other ranks.
+    void reduce_pools(const reproducible_sum& zero, std::vector<reproducible_sum>& sums) {
+        if constexpr (is_distributed) directory_.reduce(mesh_.graph().communicator(), pieces_, zero, sums);
+    }
+
     int rings() const { return rings_; }
     std::int64_t visited_cells() const { return static_cast<std::int64_t>(pieces_.members().size()); }
 
   private:
-    static double excess(const smoothing_cells::state& s, double threshold) {
-        return (s.value - threshold) + static_cast<double>(s.rest);
+    /// What a cell can hold more [-].
+    static double room(const smoothing_cells& cells, index cell, double threshold) {
+        return std::max(0.0, -cells.above(cell, threshold));
     }
 
     void start(double threshold, const std::vector<index>& stuck, smoothing_cells& cells) {
+        const auto& communicator = mesh_.graph().communicator();
         double bound = threshold * mesh_.largest_volume();
-        for (const index cell : stuck) bound = std::max(bound, excess(cells[cell], threshold) * mesh_.volume(cell));
-        bound = std::max(mesh_.largest_volume(), mesh_.graph().communicator().max(bound));
-        pieces_.clear(reproducible_sum(bound, mesh_.cells_everywhere()));
+        for (const index cell : stuck) bound = std::max(bound, cells.above(cell, threshold) * mesh_.volume(cell));
+        bound = std::max(mesh_.largest_volume(), communicator.max(bound));
+        const reproducible_sum zero(bound, mesh_.cells_everywhere());
+        pieces_.clear(zero);
         region_of_.resize(static_cast<std::size_t>(mesh_.owned()));
         growing_.clear();
+        changed_.clear();
         stuck_count_ = stuck.size();
+        if constexpr (is_distributed) {
+            directory_.clear(communicator.rank(), zero);
+            reach_.resize(static_cast<std::size_t>(mesh_.graph().total_count()));
+        }
         for (const index cell : stuck) {
             const index region = pieces_.add();
-            pieces_[region].account.excess.add(excess(cells[cell], threshold) * mesh_.volume(cell));
+            if constexpr (is_distributed) directory_.found(region);
+            pieces_[region].account.excess.add(cells.above(cell, threshold) * mesh_.volume(cell));
             join(cell, region, cells);
             growing_.push_back(region);
         }
@@ -81,98 +98,151 @@ class smoothing_completion {
 
     /// A cell joins the front of a region.
     void join(index cell, index region, smoothing_cells& cells) {
-        cells.set(cells[cell], smoothing_cells::visited);
+        cells.set(cell, smoothing_cells::visited);
         region_of_[static_cast<std::size_t>(cell)] = region;
         pieces_.append(region, cell);
         region_account& account = pieces_[pieces_.find(region)].account;
         account.volume.add(mesh_.volume(cell));
         account.front += 1;
         account.first = std::min(account.first, mesh_.graph().global_index(cell));
+        changed_.push_back(region);
     }
-
-    static double room(const smoothing_cells::state& s, double threshold) { return std::max(0.0, -excess(s, threshold)); }
 
     template <class Read>
     void grow(double threshold, smoothing_cells& cells, const Read& read) {
+        std::vector<std::pair<index, index>> front;  // cell and region
         for (const index region : growing_) {
-            pieces_.advance(region, [&](index cell) {
-                for (const index n : mesh_.neighbours(cell)) {
-                    if (cells.is(cells[n], smoothing_cells::visited)) {
-                        const index other = region_of_[static_cast<std::size_t>(n)];
-                        if (other != region) meetings_.emplace_back(region, other);
-                    } else {
-                        cells.touch(n, read);
-                        cells.set(cells[n], smoothing_cells::visited);
-                        region_of_[static_cast<std::size_t>(n)] = region;
-                        reached_.push_back(n);
-                    }
-                }
-            });
+            pieces_.advance(region, [&](index cell) { front.emplace_back(cell, region); });
         }
-        for (const auto& [a, b] : meetings_) pieces_.unite(a, b);
+        if constexpr (is_distributed) add_ghosts(front);
+        for (const auto& [cell, region] : front) {
+            for (const index n : mesh_.neighbours(cell)) {
+                if (n >= mesh_.owned()) continue;  // its owner sees this cell as a ghost
+                if (cells.is(n, smoothing_cells::visited)) {
+                    const index other = region_of_[static_cast<std::size_t>(n)];
+                    if (other != region) meetings_.emplace_back(region, other);
+                } else {
+                    cells.touch(n, read);
+                    cells.set(n, smoothing_cells::visited);
+                    region_of_[static_cast<std::size_t>(n)] = region;
+                    reached_.push_back(n);
+                }
+            }
+        }
+        for (const auto& [a, b] : meetings_) {
+            if constexpr (is_distributed) {
+                directory_.unite(pieces_, a, b);
+            } else {
+                pieces_.unite(a, b);
+            }
+        }
         meetings_.clear();
         for (const index cell : reached_) {
             const index region = region_of_[static_cast<std::size_t>(cell)];
             join(cell, region, cells);
-            pieces_[pieces_.find(region)].account.free.add(room(cells[cell], threshold) * mesh_.volume(cell));
+            pieces_[pieces_.find(region)].account.free.add(room(cells, cell, threshold) * mesh_.volume(cell));
         }
         reached_.clear();
     }
 
-    /// Decides which of the regions that grew, or were met by one that did, go on.
-    void settle() {
-        for (index& region : growing_) region = pieces_.find(region);
-        std::sort(growing_.begin(), growing_.end());
-        growing_.erase(std::unique(growing_.begin(), growing_.end()), growing_.end());
-        const auto rests = [&](index region) {
-            return (pieces_[region].state = pieces_[region].account.decide()) != region_state::growing;
-        };
-        growing_.erase(std::remove_if(growing_.begin(), growing_.end(), rests), growing_.end());
+    /// Ghosts at the front of growing regions.
+    void add_ghosts(std::vector<std::pair<index, index>>& front) {
+        for (const auto& [cell, region] : front) reach_[static_cast<std::size_t>(cell)] = directory_.home(region);
+        mesh_.graph().halo().gather(reach_.data());
+        for (const auto& [cell, region] : front) reach_[static_cast<std::size_t>(cell)] = {};
+        for (index ghost = mesh_.owned(); ghost < mesh_.graph().total_count(); ++ghost) {
+            const region_id home = reach_[static_cast<std::size_t>(ghost)];
+            if (home.rank >= 0) front.emplace_back(ghost, directory_.piece_of(home, pieces_));
+        }
     }
 
-    void refuse_excess(double threshold, double roundoff) {
-        for (index p = 0; p < pieces_.size(); ++p) {
-            if (pieces_.find(p) != p || pieces_[p].state != region_state::exhausted) continue;
-            const region_account& account = pieces_[p].account;
-            const double capacity = threshold * account.volume.value();
-            if (account.rest() > roundoff * capacity) {
-                throw infeasible_volume(account.first, capacity, account.rest());
+    /// Decides which of the regions that grew, or were met by one that did, go on.
+    void settle() {
+        if constexpr (is_distributed) {
+            directory_.settle(mesh_.graph().communicator(), pieces_, changed_, growing_);
+        } else {
+            for (index& region : growing_) region = pieces_.find(region);
+            std::sort(growing_.begin(), growing_.end());
+            growing_.erase(std::unique(growing_.begin(), growing_.end()), growing_.end());
+            const auto rests = [&](index region) {
+                return (pieces_[region].state = pieces_[region].account.decide()) != region_state::growing;
+            };
+            growing_.erase(std::remove_if(growing_.begin(), growing_.end(), rests), growing_.end());
+        }
+        changed_.clear();
+    }
+
+    /// Visits the accounts of all regions, each on one rank.
+    template <class Visit>
+    void for_each_region(Visit&& visit) {
+        if constexpr (is_distributed) {
+            directory_.for_each_region(visit);
+        } else {
+            for (index p = 0; p < pieces_.size(); ++p) {
+                if (pieces_.find(p) == p) visit(pieces_[p].account, pieces_[p].state);
             }
         }
     }
 
+    void refuse_excess(double threshold, double roundoff) {
+        std::int64_t component = std::numeric_limits<std::int64_t>::max();
+        double capacity = 0;
+        double excess = 0;
+        for_each_region([&](const region_account& account, region_state state) {
+            if (state != region_state::exhausted || account.first > component) return;
+            const double holds = threshold * account.volume.value();
+            if (!(account.rest() > roundoff * holds)) return;
+            component = account.first;
+            capacity = holds;
+            excess = account.rest();
+        });
+        // The same error on every rank: that of the component with the smallest index.
+        const auto& communicator = mesh_.graph().communicator();
+        const std::int64_t smallest = -communicator.max(-component);
+        if (smallest == std::numeric_limits<std::int64_t>::max()) return;
+        capacity = communicator.max(component == smallest ? capacity : 0);
+        excess = communicator.max(component == smallest ? excess : 0);
+        throw infeasible_volume(smallest, capacity, excess);
+    }
+
+    /// What a region does with its excess.
+    struct outcome {
+        double excess = 0;   // of the region [m^3]
+        double share = 0;    // of the room at the front that is taken
+        double surplus = 0;  // fraction above the threshold, where the component is exhausted: round-off
+    };
+    static outcome outcome_of(const region_account& account, region_state state) {
+        const double rest = account.rest();
+        const double free = account.free.value();
+        return {account.excess.value(), free > 0 ? rest / free : 0,
+                state == region_state::exhausted ? rest / account.volume.value() : 0};
+    }
+
     void place_excess(double threshold, smoothing_cells& cells, smoothing_log& log) {
-        struct outcome {
-            double excess;   // of the region [m^3]
-            double share;    // of the room at the front that is taken
-            double surplus;  // fraction above the threshold, where the component is exhausted: round-off
-        };
         std::vector<outcome> outcomes(static_cast<std::size_t>(pieces_.size()));
-        for (index p = 0; p < pieces_.size(); ++p) {
-            if (pieces_.find(p) != p) continue;
-            const region_account& account = pieces_[p].account;
-            const double rest = account.rest();
-            const double free = account.free.value();
-            const bool exhausted = pieces_[p].state == region_state::exhausted;
-            outcomes[static_cast<std::size_t>(p)] = {account.excess.value(), free > 0 ? rest / free : 0,
-                                                     exhausted ? rest / account.volume.value() : 0};
+        const auto take = [&](index p, const outcome& result) { outcomes[static_cast<std::size_t>(p)] = result; };
+        if constexpr (is_distributed) {
+            directory_.template tell<outcome>(mesh_.graph().communicator(), pieces_, outcome_of, take);
+        } else {
+            for (index p = 0; p < pieces_.size(); ++p) {
+                if (pieces_.find(p) == p) take(p, outcome_of(pieces_[p].account, pieces_[p].state));
+            }
         }
         std::size_t count = 0;
         for (const region_pieces::member& member : pieces_.members()) {
             const index region = pieces_.find(region_of_[static_cast<std::size_t>(member.cell)]);
             const outcome& result = outcomes[static_cast<std::size_t>(region)];
-            smoothing_cells::state& s = cells[member.cell];
-            const double before = s.value;
-            const double taken = room(s, threshold) * (member.at_front ? result.share : 1) + result.surplus;
-            s.value = member.at_front ? std::min(threshold, before + (static_cast<double>(s.rest) + taken)) : threshold + result.surplus;
-            s.rest = 0;
+            const double before = cells.fraction(member.cell);
+            const double taken = room(cells, member.cell, threshold) * (member.at_front ? result.share : 1) + result.surplus;
+            const double after = member.at_front ? std::min(threshold, before + taken) : threshold + result.surplus;
+            cells.set_fraction(member.cell, after);
             if (count++ < stuck_count_) {
-                log.giving.push_back({member.cell, region, s.value / before});
+                log.append_giving(member.cell, region, after / before);
             } else if (taken > 0) {
-                log.receiving.push_back({member.cell, region, taken * mesh_.volume(member.cell) / result.excess});
+                log.append_receiving(member.cell, region, taken * mesh_.volume(member.cell) / result.excess);
             }
         }
-        log.pools = pieces_.size();
+        log.set_pools(pieces_.size());
     }
 
     const mesh_type& mesh_;
@@ -181,8 +251,11 @@ class smoothing_completion {
     std::vector<index> growing_;
     std::vector<std::pair<index, index>> meetings_;
     std::vector<index> reached_;
+    std::vector<index> changed_;  // regions with new cells
     std::size_t stuck_count_ = 0;
     int rings_ = 0;
+    region_directory<typename Graph::communicator_type> directory_;  // distributed only, as is the next
+    std::vector<region_id> reach_;
 };
 
 }  // namespace hearth::detail

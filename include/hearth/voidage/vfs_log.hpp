@@ -28,41 +28,17 @@ class smoothing_log {
         kept_.clear();
         receivers_.clear();
         sweep_ends_.clear();
-        giving.clear();
-        receiving.clear();
-        pools = 0;
+        giving_.clear();
+        receiving_.clear();
+        pools_ = 0;
+        has_pools_ = false;
     }
 
-    /// Writes the bits of one entry, one per neighbour.
-    class row_writer {
-      public:
-        explicit row_writer(std::vector<std::uint8_t>& bytes) : bytes_(bytes) {}
-        ~row_writer() {
-            if (bit_ != 1) bytes_.push_back(static_cast<std::uint8_t>(byte_));
-        }
-        row_writer(const row_writer&) = delete;
-        row_writer& operator=(const row_writer&) = delete;
-
-        void next(bool receives) {
-            if (receives) byte_ |= bit_;
-            bit_ <<= 1;
-            if (bit_ == 256) {
-                bytes_.push_back(static_cast<std::uint8_t>(byte_));
-                byte_ = 0;
-                bit_ = 1;
-            }
-        }
-
-      private:
-        std::vector<std::uint8_t>& bytes_;
-        unsigned byte_ = 0;
-        unsigned bit_ = 1;
-    };
-
-    row_writer append(index cell, double kept) {
+    /// A cell that gives, the part that it keeps, and one bit per neighbour that says who receives.
+    void append(index cell, double kept, const std::uint8_t* bits, std::size_t bytes) {
         cells_.push_back(cell);
         kept_.push_back(kept);
-        return row_writer(receivers_);
+        receivers_.insert(receivers_.end(), bits, bits + bytes);
     }
     void end_sweep() { sweep_ends_.push_back(cells_.size()); }
 
@@ -75,17 +51,27 @@ class smoothing_log {
     index cell(std::size_t entry) const { return cells_[entry]; }
     double kept(std::size_t entry) const { return kept_[entry]; }
     std::size_t size() const { return cells_.size(); }
-    const std::vector<std::uint8_t>& receivers() const { return receivers_; }
+    const std::uint8_t* bits() const { return receivers_.data(); }
+    const std::uint8_t* bits_end() const { return receivers_.data() + receivers_.size(); }
 
-    /// The completion: what stuck cells kept, and what cells received of the pools 0 to pools - 1.
-    std::vector<pool_entry> giving;
-    std::vector<pool_entry> receiving;
-    std::int32_t pools = 0;
+    /// A stuck cell, and the part that it kept; a cell, and the part of a pool that it received.
+    void append_giving(index cell, std::int32_t pool, double kept) { giving_.push_back({cell, pool, kept}); }
+    void append_receiving(index cell, std::int32_t pool, double part) { receiving_.push_back({cell, pool, part}); }
+    const std::vector<pool_entry>& giving() const { return giving_; }
+    const std::vector<pool_entry>& receiving() const { return receiving_; }
+
+    /// Says, on all ranks, that the call had a completion, with so many pools on this one.
+    void set_pools(std::int32_t pools) {
+        pools_ = pools;
+        has_pools_ = true;
+    }
+    std::int32_t pools() const { return pools_; }
+    bool has_pools() const { return has_pools_; }
 
     /// Bytes in use.
     std::size_t memory() const {
         return cells_.size() * (sizeof(index) + sizeof(double)) + receivers_.size() +
-               sweep_ends_.size() * sizeof(std::size_t) + (giving.size() + receiving.size()) * sizeof(pool_entry);
+               sweep_ends_.size() * sizeof(std::size_t) + (giving_.size() + receiving_.size()) * sizeof(pool_entry);
     }
 
   private:
@@ -93,6 +79,10 @@ class smoothing_log {
     std::vector<double> kept_;
     std::vector<std::uint8_t> receivers_;
     std::vector<std::size_t> sweep_ends_;
+    std::vector<pool_entry> giving_;
+    std::vector<pool_entry> receiving_;
+    std::int32_t pools_ = 0;
+    bool has_pools_ = false;
 };
 
 }  // namespace hearth::detail

@@ -14,7 +14,7 @@ namespace hearth::detail {
 
 /// The volumes of one region of the completion [m^3].  All sums are exact, so that regions may merge in any order.
 struct region_account {
-    explicit region_account(const reproducible_sum& zero) : excess(zero), filled(zero), free(zero), volume(zero) {}
+    explicit region_account(const reproducible_sum& zero = {1, 1}) : excess(zero), filled(zero), free(zero), volume(zero) {}
 
     reproducible_sum excess;  ///< what its stuck cells hold above the threshold
     reproducible_sum filled;  ///< what the cells behind its front take: all that they can hold

@@ -32,28 +32,31 @@ class smoothing_wave {
     static constexpr bool is_distributed = mesh_type::is_distributed;
 
     explicit smoothing_wave(const mesh_type& mesh)
-        : mesh_(mesh), next_(static_cast<std::size_t>(mesh.graph().total_count())) {}
+        : mesh_(mesh),
+          order_(static_cast<std::size_t>(mesh.graph().total_count())),
+          shares_(is_distributed ? static_cast<std::size_t>(mesh.graph().total_count()) : 0) {}
 
-    /// Says that a cell is over-full, before run().
-    void insert(index cell) { next_.insert(mesh_.place(cell)); }
-
-    /// Forgets what insert() said, and what an exception left behind.
+    /// Forgets the former call.
     void clear() {
-        next_.drain([](std::size_t) {});
+        next_.clear();
         stuck_.clear();
         sweeps_ = 0;
     }
 
+    /// Says, before run(), that a cell is over-full.
+    void insert(index cell) { next_.push_back(cell); }
+
     template <class Read>
     void run(double threshold, smoothing_cells& cells, smoothing_log& log, const Read& read) {
-        const auto& communicator = mesh_.graph().communicator();
         for (;; ++sweeps_) {
+            if (!mesh_.graph().communicator().any(!next_.empty())) return;
             front_.clear();
-            next_.drain([&](std::size_t place) { front_.push_back(mesh_.cell_at(place)); });
-            if (!communicator.any(!front_.empty())) break;
+            for (const index cell : next_) order_.insert(mesh_.place(cell));
+            next_.clear();
+            order_.drain([&](std::size_t place) { front_.push_back(mesh_.cell_at(place)); });
             for (const index cell : front_) {
                 cells.touch(cell, read);
-                cells.set(cells[cell], smoothing_cells::marked);
+                cells.set(cell, smoothing_cells::marked);
             }
             sweep(threshold, cells, log, read);
             log.end_sweep();
@@ -65,20 +68,30 @@ class smoothing_wave {
     const std::vector<index>& stuck_cells() const { return stuck_; }
 
   private:
+    /// What a cell gives to each neighbour that is not marked: the increment of fraction [-], in two parts.
+    struct share {
+        double amount;
+        float rest;
+    };
+
     template <class Read>
     void sweep(double threshold, smoothing_cells& cells, smoothing_log& log, const Read& read) {
         if constexpr (!is_distributed) {
-            for (const index cell : front_) {
-                const share given = cut(cell, threshold, cells);
-                if (given.amount > 0) give(cell, given, threshold, cells, log, read);
+            for (std::size_t k = 0; k < front_.size(); ++k) {
+                look_ahead(k, cells);
+                const index cell = front_[k];
+                find_receivers(cell, cells);
+                if (const share given = cut(cell, threshold, cells); given.amount > 0) {
+                    give(cell, given, threshold, cells, log, read);
+                }
             }
         } else {
             const auto& halo = mesh_.graph().halo();
-            shares_.resize(static_cast<std::size_t>(mesh_.graph().total_count()), share{0, 0});
             halo.gather(cells.data());  // which ghosts are marked
+            givers_.clear();
             for (const index cell : front_) {
-                const share given = cut(cell, threshold, cells);
-                shares_[static_cast<std::size_t>(cell)] = given;
+                find_receivers(cell, cells);
+                const share given = shares_[static_cast<std::size_t>(cell)] = cut(cell, threshold, cells);
                 if (given.amount > 0) givers_.push_back(cell);
             }
             halo.gather(shares_.data());
@@ -87,68 +100,91 @@ class smoothing_wave {
             }
             std::sort(givers_.begin(), givers_.end(), [&](index a, index b) { return mesh_.place(a) < mesh_.place(b); });
             for (const index cell : givers_) {
-                share& given = shares_[static_cast<std::size_t>(cell)];
-                give(cell, given, threshold, cells, log, read);
-                given = {0, 0};
+                find_receivers(cell, cells);
+                give(cell, shares_[static_cast<std::size_t>(cell)], threshold, cells, log, read);
+                shares_[static_cast<std::size_t>(cell)] = {};
             }
-            givers_.clear();
         }
     }
 
-    /// What a cell gives to each neighbour that is not marked: the increment of fraction [-], in two parts.
-    struct share {
-        double amount;
-        float rest;
-    };
+    /// The front is known, but scattered: asks for what its next cells will need, in the order of dependence.
+    void look_ahead(std::size_t k, const smoothing_cells& cells) const {
+        if (k + 24 < front_.size()) mesh_.prefetch_row_bounds(front_[k + 24]);
+        if (k + 16 < front_.size()) mesh_.prefetch_row(front_[k + 16]);
+        if (k + 8 < front_.size()) {
+            for (const index n : mesh_.neighbours(front_[k + 8])) cells.prefetch(n);
+        }
+    }
 
-    share cut(index cell, double threshold, smoothing_cells& cells) {
-        double volume = 0;  // of the receivers
-        double volume_rest = 0;
-        for (const index n : mesh_.neighbours(cell)) {
-            if (cells.is(cells[n], smoothing_cells::marked)) continue;
-            const two_sum grown(volume, mesh_.volume(n));
-            volume = grown.sum;
-            volume_rest += grown.error;
+    /// The neighbours that are not marked, as cells and as bits of the row, and the sum of their volumes.
+    void find_receivers(index cell, const smoothing_cells& cells) {
+        const auto row = mesh_.neighbours(cell);
+        const auto count = static_cast<std::size_t>(row.last - row.first);
+        if (receivers_.size() < count) receivers_.resize(count);
+        bits_.clear();
+        receiver_count_ = 0;
+        unsigned byte = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const unsigned receives = cells.is(row.first[k], smoothing_cells::marked) ? 0 : 1;
+            receivers_[receiver_count_] = row.first[k];
+            receiver_count_ += receives;  // without a branch: nobody could predict it
+            byte |= receives << k % 8;
+            if (k % 8 == 7 || k + 1 == count) {
+                bits_.push_back(static_cast<std::uint8_t>(byte));
+                byte = 0;
+            }
         }
-        if (volume == 0) {
+        receiver_volume_ = receiver_volume_rest_ = 0;
+        for (std::size_t r = 0; r < receiver_count_; ++r) {
+            const two_sum grown(receiver_volume_, mesh_.volume(receivers_[r]));
+            receiver_volume_ = grown.sum;
+            receiver_volume_rest_ += grown.error;
+        }
+    }
+
+    share cut(index cell, double threshold, const smoothing_cells& cells) {
+        if (receiver_count_ == 0) {
             stuck_.push_back(cell);
-            return {0, 0};
+            return {};
         }
-        const auto& state = cells[cell];
-        const two_sum excess(state.value, -threshold);
-        const double product = excess.sum * mesh_.volume(cell);
-        const double product_rest = std::fma(excess.sum, mesh_.volume(cell), -product) +
-                                    (excess.error + static_cast<double>(state.rest)) * mesh_.volume(cell);
-        const double amount = product / volume;
-        const double rest = (std::fma(-amount, volume, product) + product_rest - amount * volume_rest) / volume;
-        return {amount, static_cast<float>(rest)};
+        const double volume = mesh_.volume(cell);
+        const two_sum excess(cells[cell].value, -threshold);
+        const double product = excess.sum * volume;
+        const double product_rest = std::fma(excess.sum, volume, -product) +
+                                    (excess.error + static_cast<double>(cells[cell].rest)) * volume;
+        const double amount = product / receiver_volume_;
+        const double rest = std::fma(-amount, receiver_volume_, product) + product_rest - amount * receiver_volume_rest_;
+        return {amount, static_cast<float>(rest / receiver_volume_)};
     }
 
     template <class Read>
     void give(index cell, share given, double threshold, smoothing_cells& cells, smoothing_log& log, const Read& read) {
-        smoothing_cells::state& giver = cells[cell];
-        auto entry = log.append(cell, threshold / giver.value);
-        for (const index n : mesh_.neighbours(cell)) {
-            smoothing_cells::state& receiver = cells[n];
-            const bool receives = !cells.is(receiver, smoothing_cells::marked);
-            entry.next(receives);
-            if (!receives || n >= mesh_.owned()) continue;
-            cells.touch(n, read);
+        log.append(cell, threshold / cells[cell].value, bits_.data(), bits_.size());
+        for (std::size_t r = 0; r < receiver_count_; ++r) {
+            const index n = receivers_[r];
+            if (is_distributed && n >= mesh_.owned()) continue;
+            smoothing_cells::content& receiver = cells.touch(n, read);
+            const bool had_room = receiver.value <= threshold;
             const two_sum grown(receiver.value, given.amount);
             receiver.value = grown.sum;
             receiver.rest += static_cast<float>(grown.error) + given.rest;
-            if (receiver.value > threshold) next_.insert(mesh_.place(n));
+            if (had_room && grown.sum > threshold) next_.push_back(n);
         }
-        giver.value = threshold;
-        giver.rest = 0;
+        cells.set_fraction(cell, threshold);
     }
 
     const mesh_type& mesh_;
-    ordered_set next_;
+    std::vector<index> next_;
+    ordered_set order_;
     std::vector<index> front_;
     std::vector<index> stuck_;
-    std::vector<share> shares_;   // distributed only
-    std::vector<index> givers_;   // distributed only: owned and ghosts, in the order of their global indices
+    std::vector<index> receivers_;
+    std::size_t receiver_count_ = 0;
+    std::vector<std::uint8_t> bits_;
+    double receiver_volume_ = 0;
+    double receiver_volume_rest_ = 0;
+    std::vector<share> shares_;  // distributed only
+    std::vector<index> givers_;  // distributed only: owned cells and ghosts
     int sweeps_ = 0;
 };
 
