@@ -4,8 +4,10 @@
 
 #include <doctest/doctest.h>
 
+#include <hearth/core/conformance.hpp>
 #include <hearth/gas/generate.hpp>
 #include <hearth/gas/mesh.hpp>
+#include <hearth/gas/mesh_traits.hpp>
 
 using namespace hearth::gas;
 
@@ -154,4 +156,17 @@ TEST_CASE("shaft: settings that make no mesh are refused") {
     CHECK_THROWS_AS(make(s), std::invalid_argument);
     s.burner.count = 7;
     CHECK_THROWS_AS(make(s), std::invalid_argument);
+}
+
+TEST_CASE("mesh: conforms to the library's mesh traits, all tiers") {
+    shaft s;
+    s.profile = {{0, 0.4}, {1, 0.4}, {1.3, 0.6}};
+    s.axial_size = {{0, 0.1}};
+    s.cross_size = 0.1;
+    const mesh m(make(s));
+    static_assert(hearth::is_located_mesh_v<mesh> && hearth::is_faced_mesh_v<mesh> && hearth::has_global_index_v<mesh>);
+    const hearth::conformance_report found = hearth::conformance(m);
+    for (const auto& failure : found.failures) MESSAGE(failure);
+    CHECK(found.passed());
+    CHECK(found.checks > m.cells());
 }

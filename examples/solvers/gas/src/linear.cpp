@@ -79,6 +79,22 @@ double dot(const parallel& ranks, int n, const double* a, const double* b) {
     return ranks.sum(sum);
 }
 
+/// r holds A x and becomes b - A x.  Sets the first residual; returns where to stop, never below the round-off of r.
+double begin(const parallel& ranks, int n, const double* b, std::vector<double>& r, const solve_settings& settings,
+             solve_report& report) {
+    double sums[3] = {0, 0, 0};
+    for (int i = 0; i < n; ++i) {
+        sums[0] += b[i] * b[i];
+        sums[1] += r[i] * r[i];
+        r[i] = b[i] - r[i];
+        sums[2] += r[i] * r[i];
+    }
+    ranks.sum(sums, 3);
+    report.first = report.last = std::sqrt(sums[2]);
+    const double round_off = 2e-16 * (std::sqrt(sums[0]) + std::sqrt(sums[1]));
+    return std::max({settings.absolute, settings.relative * report.first, round_off});
+}
+
 }  // namespace
 
 symmetric_solver::symmetric_solver(const pattern& p, std::unique_ptr<preconditioner> m, const parallel& ranks)
@@ -115,9 +131,7 @@ solve_report symmetric_solver::iterate(const matrix& a, const double* b, double*
     solve_report report;
     ranks_->gather(x, 1);
     a.apply(x, r_.data());
-    for (int i = 0; i < n; ++i) r_[i] = b[i] - r_[i];
-    report.first = report.last = std::sqrt(dot(*ranks_, n, r_.data(), r_.data()));
-    const double target = std::max(settings.absolute, settings.relative * report.first);
+    const double target = begin(*ranks_, n, b, r_, settings, report);
     double rho = 0;
     while (!(report.converged = report.last <= target) && std::isfinite(report.last) &&
            report.iterations < settings.max_iterations) {
@@ -157,15 +171,10 @@ solve_report general_solver::solve(const matrix& a, const double* b, double* x, 
         ranks_->gather(y_.data(), 1);
         a.apply(y_.data(), to);
     };
-    const auto residual = [&] {
-        ranks_->gather(x, 1);
-        a.apply(x, r_.data());
-        for (int i = 0; i < n; ++i) r_[i] = b[i] - r_[i];
-        return std::sqrt(dot(*ranks_, n, r_.data(), r_.data()));
-    };
+    ranks_->gather(x, 1);
+    a.apply(x, r_.data());
     solve_report report;
-    report.first = report.last = residual();
-    const double target = std::max(settings.absolute, settings.relative * report.first);
+    const double target = begin(*ranks_, n, b, r_, settings, report);
     double best = report.last, rho = 1, alpha = 1, omega = 1;
     std::copy_n(x, n, best_.begin());
     bool restart = true;
@@ -189,7 +198,10 @@ solve_report general_solver::solve(const matrix& a, const double* b, double* x, 
         if (!(std::abs(projection) > 1e-300) || !std::isfinite(beta)) {
             if (++breakdowns > 3) break;
             std::copy(best_.begin(), best_.end(), x);
-            report.last = residual();
+            ranks_->gather(x, 1);
+            a.apply(x, r_.data());
+            for (int i = 0; i < n; ++i) r_[i] = b[i] - r_[i];
+            report.last = best;
             restart = true;
             continue;
         }

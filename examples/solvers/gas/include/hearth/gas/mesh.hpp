@@ -70,6 +70,7 @@ class mesh {
     std::vector<patch> patches;
     polyhedra shape;                   ///< points and faces, for output and location
     std::vector<std::int64_t> global;  ///< per cell: number in the undivided mesh; empty where that is the cell itself
+    std::vector<int> ghost_rank;       ///< per ghost: the rank that owns it
     double largest_angle = 0;          ///< greatest angle between face normal and the line of centres [degree]
 
   private:

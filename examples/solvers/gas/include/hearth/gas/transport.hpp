@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <hearth/gas/gradient.hpp>
+#include <hearth/gas/linear.hpp>
+#include <hearth/gas/mesh.hpp>
+
+namespace hearth::gas {
+
+/// Convection and diffusion of scalars per mass of gas (enthalpy, mass fractions, k, epsilon), second order and limited.
+///
+/// In the form F.grad f = div(F f) - f div F, which leaves a uniform f uniform for any fluxes, storage and void fraction,
+/// and which is the conservative form wherever the fluxes fulfil the balance of mass.
+class transport {
+  public:
+    transport(const mesh& m, const pattern& p, const gradient& g, const parallel& ranks);
+
+    /// Puts convection and diffusion into the matrix: the same for all scalars of one diffusivity.
+    ///     mass_flux           per face [kg/s]
+    ///     diffusivity         per cell with ghosts, times density and void fraction [kg/(m s)]
+    ///     boundary_diffusion  per boundary face: conductance to the boundary value [kg/s]; 0 for most
+    void assemble(const std::vector<double>& mass_flux, const std::vector<double>& diffusivity,
+                  const std::vector<double>& boundary_diffusion);
+
+    /// The matrix and the right-hand side of one scalar; the caller adds storage and sources, then solves.
+    matrix a;
+    std::vector<double> right;
+
+    /// Right-hand side of a scalar: boundary values, limited and non-orthogonal corrections from its present field.
+    ///     boundary_value      per boundary face: what inflow brings and what boundary diffusion leads to
+    void start(const std::vector<double>& field, const std::vector<double>& boundary_value);
+
+    solve_report solve(std::vector<double>& field, const solve_settings& settings) {
+        return solver_.solve(a, right.data(), field.data(), settings);
+    }
+
+  private:
+    const mesh* mesh_;
+    const pattern* pattern_;
+    const gradient* gradients_;
+    const parallel* ranks_;
+    general_solver solver_;
+    const double* mass_flux_ = nullptr;
+    const double* boundary_diffusion_ = nullptr;
+    std::vector<double> face_diffusivity_, values_;
+    std::vector<vector3> slope_;
+};
+
+}  // namespace hearth::gas

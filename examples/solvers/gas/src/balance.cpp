@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include <hearth/gas/solver.hpp>
+
+namespace hearth::gas {
+
+/// Sums of the very terms that the discrete equations hold; so what is missing is what the solves left undone.
+void solver::check_balances(report& r, const gas_fields* before, double dt, double storage) const {
+    const mesh& m = *mesh_;
+    const auto width = static_cast<std::size_t>(species_);
+    std::vector<balance> all(2 + width);  // mass, enthalpy, species
+    double backflow = 0;
+    for (int f = m.internal_faces(); f < m.faces(); ++f) {
+        const int b = f - m.internal_faces(), c = m.owner[f];
+        const double flux = gas.flow.mass_flux[f];
+        backflow += boundary_.type[b] == flow_boundary::kind::outlet && flux < 0;
+        const auto count = [&](balance& to, double inside, double outside) {
+            const double out = flux * (flux < 0 ? outside : inside) + boundary_diffusion_[b] * (inside - outside);
+            (out > 0 ? to.out : to.in) += std::abs(out);
+        };
+        count(all[0], 1, 1);
+        count(all[1], gas.enthalpy[c], scalar_boundary_.enthalpy[b]);
+        for (std::size_t k = 0; k < width; ++k)
+            count(all[2 + k], gas.mass_fraction[width * c + k], boundary_fraction_[k][b]);
+    }
+    for (int c = 0; c < m.owned_cells(); ++c) {
+        all[0].source += medium_.mass_source[c];
+        all[1].source += sources.enthalpy[c] + bed.heat_source[c] + wall_source_[c] -
+                         (bed.heat_conductance[c] + wall_conductance_[c]) * gas.temperature[c];
+        for (std::size_t k = 0; k < width; ++k) all[2 + k].source += sources.species[width * c + k];
+        if (!before) continue;
+        const double rate = storage * m.volume[c] / dt;
+        const double now = rate * bed.void_fraction[c] * gas.density[c], then = rate * old_void_[c] * before->density[c];
+        all[0].stored += now - then;
+        all[1].stored += now * gas.enthalpy[c] - then * before->enthalpy[c];
+        if (settings.pressure_work)
+            all[1].stored -= rate * bed.void_fraction[c] * (gas.flow.pressure[c] - before->flow.pressure[c]);
+        for (std::size_t k = 0; k < width; ++k)
+            all[2 + k].stored += now * gas.mass_fraction[width * c + k] - then * before->mass_fraction[width * c + k];
+    }
+    for (balance& x : all) {
+        double sums[4] = {x.in, x.out, x.source, x.stored};
+        ranks_->sum(sums, 4);
+        const double scale = std::max({sums[0], sums[1], std::abs(sums[2]), std::abs(sums[3])});
+        const double missing = sums[0] - sums[1] + sums[2] - sums[3];
+        x = {sums[0], sums[1], sums[2], sums[3], scale > 0 ? std::abs(missing) / scale : 0};
+    }
+    r.backflow_faces = static_cast<std::int64_t>(ranks_->sum(backflow));
+    r.mass = all[0];
+    r.enthalpy = all[1];
+    r.species.assign(all.begin() + 2, all.end());
+}
+
+}  // namespace hearth::gas

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include <hearth/gas/solver.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hearth::gas {
+
+namespace {
+
+void require(bool good, const std::string& what) {
+    if (!good) throw std::invalid_argument("hearth::gas: " + what);
+}
+
+}  // namespace
+
+const parallel& solver::single_rank() {
+    static const parallel one;
+    return one;
+}
+
+solver::solver(const mesh& m, std::shared_ptr<const gas_model> model, solver_settings s, const parallel& ranks)
+    : settings(std::move(s)),
+      mesh_(&m),
+      model_(std::move(model)),
+      ranks_(&ranks),
+      species_(model_->species_count()),
+      pattern_(m),
+      gradients_(m),
+      flow_(m, pattern_, gradients_, ranks),
+      scalars_(m, pattern_, gradients_, ranks),
+      turbulence_(m, gradients_, settings.turbulence_constants) {
+    const auto n = static_cast<std::size_t>(m.cells()), b = static_cast<std::size_t>(m.boundary_faces());
+    require(species_ >= 1, "the gas model must have a species");
+    require(settings.reference_pressure > 0, "reference_pressure must be > 0 [Pa]");
+    require(settings.flow.relaxation > 0 && settings.flow.relaxation <= 1, "flow.relaxation must lie in (0, 1]");
+    require(settings.energy_relaxation > 0 && settings.energy_relaxation <= 1, "energy_relaxation must lie in (0, 1]");
+    bed.void_fraction.assign(n, 1.0);
+    bed.diameter.assign(n, 0.01);
+    bed.particle_velocity.assign(n, {});
+    bed.heat_conductance.assign(n, 0.0);
+    bed.heat_source.assign(n, 0.0);
+    sources.species.assign(n * static_cast<std::size_t>(species_), 0.0);
+    sources.enthalpy.assign(n, 0.0);
+    sources.force.assign(n, {});
+    boundary_.type.assign(b, flow_boundary::kind::wall);
+    for (auto* field : {&boundary_.mass_flux, &boundary_.pressure, &boundary_.wall_viscosity,
+                        &scalar_boundary_.enthalpy, &scalar_boundary_.fixed, &scalar_boundary_.kinetic,
+                        &scalar_boundary_.dissipation, &boundary_diffusion_})
+        field->assign(b, 0.0);
+    scalar_boundary_.temperature.assign(b, 300.0);
+    boundary_.velocity.assign(b, {});
+    boundary_fraction_.assign(species_, std::vector<double>(b, 0.0));
+    for (auto* field : {&wall_conductance_, &wall_source_, &diffusivity_, &slip_speed_, &field_}) field->assign(n, 0.0);
+    free_.assign(n, 1);
+    medium_.compressibility.assign(n, 0.0);
+    medium_.exchange.assign(n, 0.0);
+    medium_.mass_source.assign(n, 0.0);
+}
+
+void solver::set(const std::string& name, const patch_condition& c) {
+    using kind = patch_condition::kind;
+    const mesh& m = *mesh_;
+    const patch& p = m.find_patch(name);
+    const std::vector<double>& y = c.gas.mass_fraction;
+    if (c.type == kind::inlet || c.type == kind::outlet) {
+        double sum = 0;
+        for (const double v : y) sum += v;
+        require(static_cast<int>(y.size()) == species_, "patch '" + name + "': " + std::to_string(y.size()) +
+                                                           " mass fractions for " + std::to_string(species_) + " species");
+        require(std::abs(sum - 1) < 1e-9, "patch '" + name + "': mass fractions add up to " + std::to_string(sum));
+        require(c.gas.temperature > 0, "patch '" + name + "': temperature must be > 0 [K]");
+    }
+    const double area = ranks_->sum(m.area_of(p)), c34 = std::pow(settings.turbulence_constants.c_mu, 0.75);
+    for (int f = p.first; f < p.first + p.count; ++f) {
+        const int b = f - m.internal_faces(), cell = m.owner[f];
+        const vector3& x = m.face_centre[f];
+        const double size = norm(m.area[f]);
+        boundary_.velocity[b] = c.velocity;
+        boundary_.mass_flux[b] = scalar_boundary_.fixed[b] = 0;
+        if (c.type == kind::slip) {
+            boundary_.type[b] = flow_boundary::kind::slip;
+        } else if (c.type == kind::wall) {
+            boundary_.type[b] = flow_boundary::kind::wall;
+            if (c.heat) {
+                const wall_heat heat = c.heat(x);
+                wall_conductance_[cell] += heat.transmittance * size;
+                wall_source_[cell] += heat.transmittance * size * heat.ambient;
+            }
+        } else {
+            const double t = c.temperature ? c.temperature(x) : c.gas.temperature;
+            scalar_boundary_.temperature[b] = t;
+            scalar_boundary_.enthalpy[b] = model_->enthalpy(t, y.data());
+            for (int k = 0; k < species_; ++k) boundary_fraction_[k][b] = y[k];
+            const double density = model_->density(settings.reference_pressure, t, y.data());
+            double speed = 1;
+            if (c.type == kind::outlet) {
+                boundary_.type[b] = flow_boundary::kind::outlet;
+                boundary_.pressure[b] = (c.pressure_profile ? c.pressure_profile(x) : c.pressure) -
+                                        settings.reference_pressure;
+            } else {
+                boundary_.type[b] = flow_boundary::kind::inlet;
+                const vector3 w = c.profile ? c.profile(x) : -c.mass_flow / (area * size * density) * m.area[f];
+                boundary_.velocity[b] = w;
+                boundary_.mass_flux[b] = density * dot(w, m.area[f]);
+                speed = norm(w);
+            }
+            const double fluctuation = c.gas.turbulence_intensity * speed;
+            scalar_boundary_.kinetic[b] = 1.5 * fluctuation * fluctuation + 1e-10;
+            scalar_boundary_.dissipation[b] = c34 * std::pow(scalar_boundary_.kinetic[b], 1.5) / c.gas.turbulence_length;
+        }
+        if (c.temperature && c.type != kind::outlet) {  // conducts to the given temperature as well
+            scalar_boundary_.temperature[b] = c.temperature(x);
+            scalar_boundary_.enthalpy[b] = model_->enthalpy(c.temperature(x), y.data());
+            scalar_boundary_.fixed[b] = 1;
+        }
+    }
+}
+
+void solver::add(const nozzle& n) {
+    require(n.cell >= 0 && n.cell < mesh_->owned_cells(), "nozzle: no cell " + std::to_string(n.cell));
+    require(n.mass_flow >= 0, "nozzle: mass flow must be >= 0 [kg/s]");
+    require(static_cast<int>(n.gas.mass_fraction.size()) == species_, "nozzle: wrong number of mass fractions");
+    for (int k = 0; k < species_; ++k)
+        sources.species[static_cast<std::size_t>(species_) * n.cell + k] += n.mass_flow * n.gas.mass_fraction[k];
+    sources.enthalpy[n.cell] += n.mass_flow * model_->enthalpy(n.gas.temperature, n.gas.mass_fraction.data());
+    sources.force[n.cell] += n.mass_flow * n.velocity;
+}
+
+void solver::initialise(double temperature, const std::vector<double>& y) {
+    require(static_cast<int>(y.size()) == species_, "initialise: wrong number of mass fractions");
+    require(temperature > 0, "initialise: temperature must be > 0 [K]");
+    const auto n = static_cast<std::size_t>(mesh_->cells());
+    gas.flow = flow_.make_state();
+    gas.temperature.assign(n, temperature);
+    gas.enthalpy.assign(n, model_->enthalpy(temperature, y.data()));
+    gas.mass_fraction.clear();
+    for (std::size_t c = 0; c < n; ++c) gas.mass_fraction.insert(gas.mass_fraction.end(), y.begin(), y.end());
+    for (auto* field : {&gas.density, &gas.viscosity, &gas.conductivity, &gas.specific_heat, &gas.eddy_viscosity})
+        field->assign(n, 0.0);
+    gas.kinetic.assign(n, 1e-4);
+    gas.dissipation.assign(n, 1e-2);
+    old_void_.clear();
+    update_properties();
+}
+
+void solver::check_bed() const {
+    for (int c = 0; c < mesh_->owned_cells(); ++c) {
+        const double e = bed.void_fraction[c];
+        require(e > 0 && e <= 1, "void fraction of cell " + std::to_string(c) + " is " + std::to_string(e) +
+                                     ", allowed: (0, 1]");
+        require(bed.diameter[c] > 0, "particle diameter of cell " + std::to_string(c) + " is " +
+                                         std::to_string(bed.diameter[c]) + ", allowed: > 0 [m]");
+        require(bed.heat_conductance[c] >= 0 && std::isfinite(bed.heat_source[c]),
+                "heat exchange of cell " + std::to_string(c) + " is " + std::to_string(bed.heat_conductance[c]) + ", " +
+                    std::to_string(bed.heat_source[c]) + ", allowed: >= 0 [W/K], finite [W]");
+    }
+}
+
+double solver::mass_flow(const std::string& name) const {
+    const patch& p = mesh_->find_patch(name);
+    double sum = 0;
+    for (int f = p.first; f < p.first + p.count; ++f) sum += gas.flow.mass_flux[f];
+    return ranks_->sum(sum);
+}
+
+double solver::mean_temperature(const std::string& name) const {
+    const patch& p = mesh_->find_patch(name);
+    double sums[2] = {0, 0};
+    for (int f = p.first; f < p.first + p.count; ++f) {
+        const double out = std::max(0.0, gas.flow.mass_flux[f]);
+        sums[0] += out * gas.temperature[mesh_->owner[f]];
+        sums[1] += out;
+    }
+    ranks_->sum(sums, 2);
+    return sums[0] / sums[1];
+}
+
+double solver::mean_pressure(const std::string& name) const {
+    const patch& p = mesh_->find_patch(name);
+    double sums[2] = {0, 0};
+    for (int f = p.first; f < p.first + p.count; ++f) {
+        const int c = mesh_->owner[f];
+        const double size = norm(mesh_->area[f]);
+        sums[0] += size * (absolute_pressure(c) + dot(gas.flow.pressure_gradient[c], mesh_->face_centre[f] - mesh_->centre[c]));
+        sums[1] += size;
+    }
+    ranks_->sum(sums, 2);
+    return sums[0] / sums[1];
+}
+
+}  // namespace hearth::gas

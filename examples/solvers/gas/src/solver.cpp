@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include <hearth/gas/solver.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hearth::gas {
+
+void solver::update_properties() {
+    for (int c = 0; c < mesh_->cells(); ++c) {
+        const double* y = composition(c);
+        gas.temperature[c] = model_->temperature(gas.enthalpy[c], y, gas.temperature[c]);
+        gas.viscosity[c] = model_->viscosity(gas.temperature[c], y);
+        gas.conductivity[c] = model_->conductivity(gas.temperature[c], y);
+        gas.specific_heat[c] = model_->specific_heat(gas.temperature[c], y);
+    }
+    update_density();
+}
+
+void solver::update_density() {
+    for (int c = 0; c < mesh_->cells(); ++c) {
+        // The iteration may pass through pressures below vacuum; the density stays that of a tenth of the reference.
+        const double p = std::max(absolute_pressure(c), 0.1 * settings.reference_pressure);
+        gas.density[c] = model_->density(p, gas.temperature[c], composition(c));
+        medium_.compressibility[c] = model_->compressibility(p, gas.density[c]);
+    }
+}
+
+void solver::update_medium() {
+    const mesh& m = *mesh_;
+    medium_.density = gas.density;
+    medium_.void_fraction = bed.void_fraction;
+    medium_.particle_velocity = bed.particle_velocity;
+    medium_.momentum_source = sources.force;
+    medium_.gravity = settings.gravity;
+    medium_.viscosity.resize(gas.density.size());
+    for (int c = 0; c < m.cells(); ++c) {
+        const double e = bed.void_fraction[c];
+        free_[c] = 1 - e <= settings.bed_threshold;
+        medium_.viscosity[c] = free_[c] ? gas.viscosity[c] + gas.eddy_viscosity[c] : 0;
+        double mass = 0;
+        for (int k = 0; k < species_; ++k) mass += sources.species[static_cast<std::size_t>(species_) * c + k];
+        medium_.mass_source[c] = mass;
+        if (!bed.exchange.empty()) {
+            medium_.exchange[c] = bed.exchange[c];
+            continue;
+        }
+        // mean of the last speed and this one: for a quadratic law under a given pressure that is Newton's step
+        const double slip = norm(1 / e * gas.flow.velocity[c] - bed.particle_velocity[c]);
+        slip_speed_[c] = slip_speed_[c] > 0 ? 0.5 * (slip_speed_[c] + slip) : slip;
+        medium_.exchange[c] = free_[c] ? 0 : settings.drag({e, slip_speed_[c], gas.density[c], gas.viscosity[c],
+                                                           bed.diameter[c]});
+    }
+    for (int f = m.internal_faces(); f < m.faces(); ++f) {
+        const int b = f - m.internal_faces(), c = m.owner[f];
+        if (boundary_.type[b] == flow_boundary::kind::slip || (settings.turbulence &&
+            boundary_.type[b] == flow_boundary::kind::wall && free_[c])) continue;  // the wall function's
+        boundary_.wall_viscosity[b] = medium_.viscosity[c];
+    }
+}
+
+void solver::inner_iteration(report& r, const flow_history& history, const gas_fields* before) {
+    ++r.iterations;
+    update_medium();
+    const flow_settings& fs = settings.flow;
+    if (before) stored_density_ = gas.flow.pressure;
+    r.flow = flow_.iterate(gas.flow, medium_, boundary_, history, fs);
+    if (before)
+        for (int c = 0; c < mesh_->cells(); ++c)
+            stored_density_[c] = gas.density[c] + medium_.compressibility[c] * (gas.flow.pressure[c] - stored_density_[c]);
+    if (settings.turbulence)
+        r.turbulence_change = turbulence_.iterate(gas, bed, free_, scalars_, flow_.velocity_gradient(), boundary_,
+                                                  scalar_boundary_.kinetic, scalar_boundary_.dissipation, before,
+                                                  history.step);
+    r.scalar_iterations = 0;
+    r.species_change = r.temperature_change = 0;
+    if (settings.species && species_ > 1) solve_species(r, before, history.step, history.storage);
+    if (settings.energy) solve_enthalpy(r, before, history.step, history.storage);
+    update_density();
+}
+
+bool solver::is_settled(report& r) const {
+    double finite[2] = {std::isfinite(r.flow.velocity_change) && std::isfinite(r.flow.pressure.last) ? 0.0 : 1.0,
+                        std::isfinite(r.temperature_change) ? 0.0 : 1.0};
+    ranks_->sum(finite, 2);
+    if (finite[0] + finite[1] > 0) {
+        r.reason = finite[0] > 0 ? "the flow is not finite any more" : "the enthalpy is not finite any more";
+        r.broken = true;
+        return true;
+    }
+    const double t = settings.tolerance;
+    r.reason.clear();
+    const auto wait = [&r](const char* what, double value) {
+        if (r.reason.empty()) r.reason = std::string(what) + " still changes by " + std::to_string(value);
+    };
+    if (r.flow.velocity_change > t) wait("the velocity, relatively,", r.flow.velocity_change);
+    if (r.flow.pressure_change > t) wait("the pressure, relatively,", r.flow.pressure_change);
+    if (r.temperature_change > 1000 * t) wait("the temperature [K]", r.temperature_change);
+    if (r.species_change > t) wait("a mass fraction", r.species_change);
+    if (settings.turbulence && r.turbulence_change > 10 * t) wait("k, relatively,", r.turbulence_change);
+    r.converged = r.reason.empty();
+    return r.converged;
+}
+
+void solver::confirm(report& r) const {
+    if (!r.converged || r.mass.error < 1e-8) return;
+    r.converged = false;
+    r.reason = "the balance of mass misses " + std::to_string(r.mass.error) + " of the flow: round-off of far larger terms";
+}
+
+report solver::level_zero(int iterations) {
+    check_bed();
+    report r;
+    flow_settings fs = settings.flow;
+    fs.inertia = false;
+    fs.pressure.relative = std::min(fs.pressure.relative, 1e-4);
+    for (r.iterations = 0; r.iterations < iterations; ++r.iterations) {
+        update_medium();
+        // Gas outside the bed needs some resistance: a thousandth of the bed's mean, or that of friction over its size.
+        double sums[2] = {0, 0};
+        for (int c = 0; c < mesh_->owned_cells(); ++c)
+            if (!free_[c]) {
+                sums[0] += medium_.exchange[c] / (bed.void_fraction[c] * bed.void_fraction[c]);
+                sums[1] += 1;
+            }
+        ranks_->sum(sums, 2);
+        fs.resistance_floor = std::max(settings.flow.resistance_floor, sums[1] > 0 ? 1e-3 * sums[0] / sums[1] : 1.0);
+        r.flow = flow_.iterate(gas.flow, medium_, boundary_, {}, fs);
+        update_density();
+        if (is_settled(r)) break;
+    }
+    check_balances(r, nullptr, 0, 0);
+    return r;
+}
+
+report solver::iterate() {
+    check_bed();
+    report r;
+    inner_iteration(r, {}, nullptr);
+    is_settled(r);
+    check_balances(r, nullptr, 0, 0);
+    return r;
+}
+
+report solver::steady() {
+    check_bed();
+    report r;
+    bool at_rest = true;
+    for (const double f : gas.flow.mass_flux) at_rest = at_rest && f == 0;
+    if (at_rest) level_zero();
+    while (r.iterations < settings.max_iterations) {
+        inner_iteration(r, {}, nullptr);
+        if (is_settled(r) && (r.iterations > 2 || !r.converged)) break;
+    }
+    // Tight last solves, so that the balances close to round-off.
+    if (r.converged) {
+        const solver_settings usual = settings;
+        settings.flow.pressure = {1e-12, 0, 400};
+        settings.scalars = {1e-12, 0, 1000};
+        for (int i = 0; i < 3; ++i) inner_iteration(r, {}, nullptr);
+        settings = usual;
+    }
+    check_balances(r, nullptr, 0, 0);
+    confirm(r);
+    return r;
+}
+
+report solver::step(double dt, double storage) {
+    if (!(dt > 0) || !(storage >= 0)) throw std::invalid_argument("hearth::gas: step: dt must be > 0, storage >= 0");
+    check_bed();
+    if (old_void_.empty()) old_void_ = bed.void_fraction;
+    const gas_fields before = gas;
+    flow_history history{dt, storage, gas.density, old_void_, gas.flow.mass_flux, gas.flow.velocity};
+    report r;
+    const solver_settings usual = settings;
+    // each solve is tight enough for the balances of this very step
+    settings.flow.pressure.relative = std::min(settings.flow.pressure.relative, 1e-3);
+    settings.scalars.relative = std::min(settings.scalars.relative, 1e-6);
+    while (r.iterations < settings.max_inner) {
+        inner_iteration(r, history, &before);
+        if (is_settled(r)) break;
+    }
+    settings.flow.pressure = {1e-13, 0, 400};
+    settings.scalars = {1e-13, 0, 1000};
+    if (r.converged) inner_iteration(r, history, &before);
+    settings = usual;
+    if (r.broken) {  // nothing broken is passed on
+        gas = before;
+        return r;
+    }
+    gas.density = stored_density_;  // differs from the equation of state by what the iteration left over
+    check_balances(r, &before, dt, storage);
+    confirm(r);
+    old_void_ = bed.void_fraction;
+    return r;
+}
+
+}  // namespace hearth::gas
