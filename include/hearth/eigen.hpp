@@ -60,11 +60,8 @@ struct scalar_traits<Lanes, std::enable_if_t<std::is_base_of_v<Eigen::ArrayBase<
         return chosen;
     }
     static value uniform(const Lanes& x, real v) { return value::Constant(x.rows(), x.cols(), v); }
-
-    template <class Mask>
-    static std::int64_t count_lanes(const Mask& mask) {
-        return mask.count();
-    }
+    static std::int64_t lane_count(const Lanes& x) { return x.size(); }
+    static real lane(const Lanes& x, std::int64_t k) { return x.coeff(k); }
 
   private:
     static constexpr bool has_simd = std::is_same_v<real, float> || std::is_same_v<real, double>;
@@ -113,7 +110,8 @@ struct scalar_traits<Eigen::AutoDiffScalar<Derivatives>> {
     static value uniform(const dual& x, real v) {
         return value(v, directions::Zero(x.derivatives().rows(), x.derivatives().cols()));
     }
-    static std::int64_t count_lanes(bool mask) { return mask ? 1 : 0; }
+    static std::int64_t lane_count(const dual&) { return 1; }
+    static real lane(const dual& x, std::int64_t) { return x.value(); }
 
   private:
     static value chain(const dual& x, real f, real slope) {

@@ -34,17 +34,29 @@
 #include <hearth/core/thermal_link.hpp>
 #include <hearth/core/unique_ids.hpp>
 
+#include <hearth/closure/air.hpp>
 #include <hearth/closure/beetstra.hpp>
+#include <hearth/closure/checked.hpp>
 #include <hearth/closure/di_felice.hpp>
 #include <hearth/closure/drag.hpp>
 #include <hearth/closure/eisfeld_schnitzlein.hpp>
 #include <hearth/closure/ergun.hpp>
 #include <hearth/closure/ergun_wen_yu.hpp>
+#include <hearth/closure/evaporation.hpp>
+#include <hearth/closure/feng_han.hpp>
+#include <hearth/closure/gas_film.hpp>
 #include <hearth/closure/gidaspow.hpp>
+#include <hearth/closure/grey_exchange.hpp>
 #include <hearth/closure/gunn.hpp>
+#include <hearth/closure/hertz.hpp>
+#include <hearth/closure/intraparticle.hpp>
+#include <hearth/closure/quadrature.hpp>
 #include <hearth/closure/ranz_marshall.hpp>
+#include <hearth/closure/sphere_pair.hpp>
 #include <hearth/closure/wakao_kaguei.hpp>
+#include <hearth/closure/wall_view.hpp>
 #include <hearth/closure/wen_yu.hpp>
+#include <hearth/closure/zhang.hpp>
 
 #include <hearth/voidage/chebyshev.hpp>
 #include <hearth/voidage/deposit.hpp>

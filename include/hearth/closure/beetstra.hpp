@@ -12,6 +12,7 @@ namespace hearth::closure {
 /// F = 10 p/e^2 + e^2 (1 + 1.5 sqrt(p)) + 0.413 Re_s/(24 e^2) (1/e + 3 e p + 8.4 Re_s^-0.343) / (1 + 10^(3p) Re_s^-c),
 /// c = (1 + 4p)/2.
 struct beetstra {
+    HEARTH_FUNCTION static constexpr const char* name() { return "beetstra"; }
     /// [-]
     HEARTH_FUNCTION static constexpr interval void_fraction_range() { return {0.4, 1.0}; }
     /// Interstitial; the simulations reach Re_s = 1000 [-].

@@ -10,6 +10,7 @@ namespace hearth::closure {
 /// Cd = (0.63 + 4.8/sqrt(Re_s))^2, x = 3.7 - 0.65 exp(-(1.5 - log10 Re_s)^2 / 2), Re_s = e Re.
 /// Di Felice, Int. J. Multiphase Flow 20 (1994) 153, doi:10.1016/0301-9322(94)90011-6.
 struct di_felice {
+    HEARTH_FUNCTION static constexpr const char* name() { return "di_felice"; }
     /// [-]
     HEARTH_FUNCTION static constexpr interval void_fraction_range() { return {0.4, 1.0}; }
     /// Interstitial, from creeping to fully turbulent flow [-].

@@ -13,6 +13,8 @@ namespace hearth::closure {
 /// Aw = 1 + 2 r/(3 (1-e)), Bw = (1.15 r^2 + 0.87)^2.
 class eisfeld_schnitzlein {
   public:
+    HEARTH_FUNCTION static constexpr const char* name() { return "eisfeld_schnitzlein"; }
+
     /// tube_to_particle is D/d [-]; infinity for a bed without walls.  Throws bad_value unless D/d >= 1.
     explicit eisfeld_schnitzlein(double tube_to_particle) : particle_to_tube_(1 / tube_to_particle) {
         if (!(tube_to_particle >= 1))

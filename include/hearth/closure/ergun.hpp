@@ -9,6 +9,7 @@ namespace hearth::closure {
 /// Pressure drop of packed beds:  -dp/dx = 150 (1-e)^2 mu U / (e^3 d^2) + 1.75 (1-e) rho U^2 / (e^3 d),  U superficial.
 /// Ergun, Chem. Eng. Prog. 48 (1952) 89.
 struct ergun {
+    HEARTH_FUNCTION static constexpr const char* name() { return "ergun"; }
     /// Beds of spheres [-]; used up to 0.8 in fluidised beds, see gidaspow.
     HEARTH_FUNCTION static constexpr interval void_fraction_range() { return {0.35, 0.5}; }
     /// Interstitial; the data reach 2500 in U d rho / (mu (1 - e)) [-].
@@ -29,6 +30,7 @@ struct ergun {
 /// The factor is 4.2 at e = 0.4 and has no counterpart in Ergun's work; here for comparison only.
 /// The paper applies it where the solid fraction is above 0.1, so below that 1 - e counts as 0.1 in the factor.
 struct ergun::paper {
+    HEARTH_FUNCTION static constexpr const char* name() { return "ergun::paper"; }
     HEARTH_FUNCTION static constexpr interval void_fraction_range() { return ergun::void_fraction_range(); }
     HEARTH_FUNCTION static constexpr interval reynolds_range() { return ergun::reynolds_range(); }
     HEARTH_FUNCTION static constexpr momentum_model model() { return momentum_model::a; }

@@ -10,6 +10,7 @@ namespace hearth::closure {
 /// Its force is Gidaspow's over e, so it belongs to momentum model b: the gas must feel the full pressure gradient.
 /// Beside e grad p it would count the pressure on the particles twice.
 struct ergun_wen_yu {
+    HEARTH_FUNCTION static constexpr const char* name() { return "ergun_wen_yu"; }
     /// [-]
     HEARTH_FUNCTION static constexpr interval void_fraction_range() { return {0.35, 1.0}; }
     HEARTH_FUNCTION static constexpr interval reynolds_range() { return ergun::reynolds_range(); }

@@ -9,6 +9,7 @@ namespace hearth::closure {
 /// Drag over all void fractions: Ergun up to 0.8, Wen and Yu above.  Jumps there, by up to a factor of four.
 /// Gidaspow, Multiphase Flow and Fluidization, Academic Press 1994.
 struct gidaspow {
+    HEARTH_FUNCTION static constexpr const char* name() { return "gidaspow"; }
     /// [-]
     HEARTH_FUNCTION static constexpr interval void_fraction_range() { return {0.35, 1.0}; }
     HEARTH_FUNCTION static constexpr interval reynolds_range() { return ergun::reynolds_range(); }

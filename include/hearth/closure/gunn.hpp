@@ -11,6 +11,7 @@ namespace hearth::closure {
 /// Nu = (7 - 10 e + 5 e^2)(1 + 0.7 Re^0.2 Pr^(1/3)) + (1.33 - 2.4 e + 1.2 e^2) Re^0.7 Pr^(1/3),  e the void fraction.
 /// Some codes put the interstitial velocity into Re, which overstates h by up to 1.7 in a bed.
 struct gunn {
+    HEARTH_FUNCTION static constexpr const char* name() { return "gunn"; }
     /// [-]
     HEARTH_FUNCTION static constexpr interval void_fraction_range() { return {0.35, 1.0}; }
     HEARTH_FUNCTION static constexpr interval reynolds_range() { return {0.0, 1e5}; }

@@ -9,6 +9,7 @@ namespace hearth::closure {
 /// Heat or mass transfer of a single sphere in free flow:  Nu = 2 + 0.6 Re^(1/2) Pr^(1/3).
 /// Ranz, Marshall, Chem. Eng. Prog. 48 (1952) 141 and 173.
 struct ranz_marshall {
+    HEARTH_FUNCTION static constexpr const char* name() { return "ranz_marshall"; }
     /// A single sphere; the correlation itself does not contain the void fraction [-].
     HEARTH_FUNCTION static constexpr interval void_fraction_range() { return {0.99, 1.0}; }
     /// The authors' drops reach Re = 200 [-].

@@ -10,6 +10,7 @@ namespace hearth::closure {
 /// Wakao, Kaguei, Funazkri, Chem. Eng. Sci. 34 (1979) 325, doi:10.1016/0009-2509(79)85064-2; mass transfer:
 /// Wakao, Funazkri, Chem. Eng. Sci. 33 (1978) 1375, doi:10.1016/0009-2509(78)85120-3.
 struct wakao_kaguei {
+    HEARTH_FUNCTION static constexpr const char* name() { return "wakao_kaguei"; }
     /// Fixed beds of spheres; the correlation itself does not contain the void fraction [-].
     HEARTH_FUNCTION static constexpr interval void_fraction_range() { return {0.35, 0.5}; }
     /// The data for heat; those for mass reach from 3 to 1e4 [-].

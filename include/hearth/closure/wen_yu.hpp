@@ -9,6 +9,7 @@ namespace hearth::closure {
 /// Drag in dilute suspensions:  beta = 0.75 Cd e (1-e) rho |u-v| / d  e^-2.65,  Cd on Re_s = e Re.
 /// Wen, Yu, Chem. Eng. Prog. Symp. Ser. 62 (1966) 100; Cd of Schiller and Naumann up to Re_s = 1000, 0.44 above.
 struct wen_yu {
+    HEARTH_FUNCTION static constexpr const char* name() { return "wen_yu"; }
     /// [-]
     HEARTH_FUNCTION static constexpr interval void_fraction_range() { return {0.8, 1.0}; }
     /// Interstitial; above 2e5 the drag of a sphere falls, which 0.44 does not know [-].

@@ -16,12 +16,13 @@ namespace hearth {
 ///     real      the plain number inside: literals and coefficients are of this type
 ///     value     what an expression of this type evaluates to; the type itself for plain numbers
 ///
-/// Static members, all but the last of type `value`
+/// Static members, all but the last two of type `value`
 ///     power(x, real a)  variable_power(x, value a)  square_root(x)  cube_root(x)
 ///     exponential(x)  exponential_minus_one(x)  logarithm(x)  absolute(x)
 ///     select(mask, value a, value b)    a where the mask holds, else b
 ///     uniform(x, real v)                v in the shape of x
-///     count_lanes(mask)                 in how many lanes the mask holds, an std::int64_t
+///     lane_count(x)                     how many plain numbers there are in x, an std::int64_t; 1 for plain numbers
+///     lane(x, k)                        the plain number in lane k, a real; of a dual number its value
 template <class Scalar, class Enable = void>
 struct scalar_traits {
     static_assert(std::is_floating_point_v<Scalar>,
@@ -40,7 +41,8 @@ struct scalar_traits {
     HEARTH_FUNCTION static Scalar absolute(Scalar x) { return std::fabs(x); }
     HEARTH_FUNCTION static constexpr Scalar select(bool mask, Scalar a, Scalar b) { return mask ? a : b; }
     HEARTH_FUNCTION static constexpr Scalar uniform(Scalar, Scalar v) { return v; }
-    HEARTH_FUNCTION static constexpr std::int64_t count_lanes(bool mask) { return mask ? 1 : 0; }
+    HEARTH_FUNCTION static constexpr std::int64_t lane_count(Scalar) { return 1; }
+    HEARTH_FUNCTION static constexpr Scalar lane(Scalar x, std::int64_t) { return x; }
 };
 
 /// The plain number inside a number: double for double, for lanes of double and for duals over double.
@@ -134,10 +136,16 @@ HEARTH_FUNCTION constexpr value_t<Scalar> maximum(const Scalar& x, const Scalar&
     return scalar_traits<Scalar>::select(x < y, y, x);
 }
 
-/// In how many lanes a mask holds; 0 or 1 for plain numbers.  Scalar is the type that was compared.
-template <class Scalar, class Mask>
-HEARTH_FUNCTION constexpr std::int64_t count_lanes(const Mask& mask) {
-    return scalar_traits<Scalar>::count_lanes(mask);
+/// How many plain numbers there are in x.
+template <class Scalar>
+HEARTH_FUNCTION constexpr std::int64_t lane_count(const Scalar& x) {
+    return scalar_traits<Scalar>::lane_count(x);
+}
+
+/// The plain number in lane k of x, 0 <= k < lane_count(x).
+template <class Scalar>
+HEARTH_FUNCTION constexpr real_t<Scalar> lane(const Scalar& x, std::int64_t k) {
+    return scalar_traits<Scalar>::lane(x, k);
 }
 
 }  // namespace hearth
