@@ -190,7 +190,7 @@ TEST_CASE("limits: radiation of the paper's bed, 18 mm at 2500 K and Gamma 678: 
 
 TEST_CASE("limits: nothing exchanged, nothing limited") {
     CHECK(std::isinf(stable_step::particle(heat_bath<>{}, 1.0, 300.0)));
-    CHECK(std::isinf(stable_step::network({}, {}, {}, {})));
+    CHECK(std::isinf(stable_step::network(std::vector<thermal_pair>{}, {}, {}, {})));
     CHECK(std::isinf(stable_step::drag(0.0, 1.0)));
     CHECK(std::isinf(stable_step::contact(0.0, 1.0)));
     CHECK(std::isinf(stable_step::advection(0.1, 0.0)));

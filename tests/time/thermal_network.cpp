@@ -215,7 +215,7 @@ TEST_CASE("thermal network: the same input gives the same bits, also from a used
     std::vector<particle_step<double>> taken;
     thermal_network fresh, used;
     std::vector<double> a = n.temperature, b = n.temperature, other(3, 400.0);
-    used.advance({{0, 2, {0.1, 0.0}}}, std::vector<heat_bath<double>>(3), std::vector<double>(3, 1.0), caloric_of,
+    used.advance(std::vector<thermal_pair>{{0, 2, {0.1, 0.0}}}, std::vector<heat_bath<double>>(3), std::vector<double>(3, 1.0), caloric_of,
                  unsplit{}, 1.0, other, taken);
     fresh.advance(n.pairs, n.baths, n.mass, caloric_of, tssm(50.0), 3.0, a, taken);
     used.advance(n.pairs, n.baths, n.mass, caloric_of, tssm(50.0), 3.0, b, taken);
@@ -228,11 +228,11 @@ TEST_CASE("thermal network: nothing to do is done") {
     std::vector<particle_step<double>> taken;
     std::vector<double> none;
     thermal_network solver;
-    CHECK(solver.advance({}, {}, none, caloric_of, unsplit{}, 1.0, none, taken).converged);
+    CHECK(solver.advance(std::vector<thermal_pair>{}, {}, none, caloric_of, unsplit{}, 1.0, none, taken).converged);
     CHECK(taken.empty());
     // All at one temperature, and alone.
     std::vector<double> same(4, 333.25);
-    const auto report = solver.advance({{0, 1, {1.0, 0.0}}}, std::vector<heat_bath<double>>(4),
+    const auto report = solver.advance(std::vector<thermal_pair>{{0, 1, {1.0, 0.0}}}, std::vector<heat_bath<double>>(4),
                                        std::vector<double>(4, 1.0), caloric_of, unsplit{}, 1.0, same, taken);
     CHECK(report.converged);
     for (const double t : same) CHECK(t == 333.25);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include <hearth/core/function.hpp>
 
 namespace hearth {
@@ -64,5 +66,13 @@ template <class Real>
 HEARTH_FUNCTION constexpr thermal_link<Real> widened(const thermal_link<Real>& link) {
     return link;
 }
+
+/// Two particles that exchange heat, by their local indices.
+template <class Link>
+struct linked_pair {
+    std::int32_t first;
+    std::int32_t second;
+    Link link;
+};
 
 }  // namespace hearth

@@ -53,16 +53,18 @@ HEARTH_FUNCTION Real pair(Real slope, Real first_capacity, Real second_capacity,
 /// Gershgorin's bound of the spectrum.  Safe for any network; sharp (the bound is attained) where the particles of a
 /// closed island fall into two groups that touch each other only and all rates are equal.
 /// capacity[i] = m c_p / Gamma [J/K].
-inline double network(const std::vector<thermal_pair>& pairs, const std::vector<heat_bath<double>>& baths,
+template <class Link>
+double network(const std::vector<linked_pair<Link>>& pairs, const std::vector<heat_bath<double>>& baths,
                       const std::vector<double>& capacity, const std::vector<double>& temperature) {
     std::vector<double> own(capacity.size(), 0.0), bath(capacity.size(), 0.0);
     for (std::size_t i = 0; i < baths.size(); ++i)
         bath[i] = baths[i].conductance + 4.0 * baths[i].radiation * std::pow(temperature[i], 3);
-    for (const thermal_pair& link : pairs) {
-        const auto a = static_cast<std::size_t>(link.first), b = static_cast<std::size_t>(link.second);
+    for (const linked_pair<Link>& pair : pairs) {
+        const auto a = static_cast<std::size_t>(pair.first), b = static_cast<std::size_t>(pair.second);
+        const thermal_link<double> link = widened(pair.link);
         // The derivatives of the pair's heat by the two temperatures differ where these do; both bound a row.
         const double warmer = std::fmax(temperature[a], temperature[b]);
-        const double slope = link.link.conductance + 4.0 * link.link.radiation * warmer * warmer * warmer;
+        const double slope = link.conductance + 4.0 * link.radiation * warmer * warmer * warmer;
         own[a] += slope;
         own[b] += slope;
     }

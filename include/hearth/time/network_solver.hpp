@@ -12,12 +12,8 @@
 
 namespace hearth {
 
-/// Two particles that exchange heat.
-struct thermal_pair {
-    std::int32_t first;
-    std::int32_t second;
-    thermal_link<double> link;
-};
+/// The pair that holds every kind of link.
+using thermal_pair = linked_pair<thermal_link<double>>;
 
 namespace detail {
 
@@ -39,10 +35,11 @@ inline void require_bath(const heat_bath<double>& bath, std::int64_t index) {
 /// The connected parts of a graph of pairs, numbered in order of their first member.
 class islands {
   public:
-    void find(const std::vector<thermal_pair>& pairs, std::size_t count) {
+    template <class Pair>
+    void find(const std::vector<Pair>& pairs, std::size_t count) {
         label_.resize(count);
         for (std::size_t i = 0; i < count; ++i) label_[i] = static_cast<std::int32_t>(i);
-        for (const thermal_pair& pair : pairs) {
+        for (const Pair& pair : pairs) {
             const std::int32_t a = root(pair.first), b = root(pair.second);
             label_[static_cast<std::size_t>(a < b ? b : a)] = a < b ? a : b;
         }
@@ -99,7 +96,8 @@ class network_system {
         bool converged;
     };
 
-    outcome solve(const std::vector<thermal_pair>& pairs, const std::vector<double>& link, islands& parts,
+    template <class Pair>
+    outcome solve(const std::vector<Pair>& pairs, const std::vector<double>& link, islands& parts,
                   double tolerance, int limit, std::vector<double>& x) {
         const std::size_t count = x.size();
         inverse_ = diagonal;
@@ -145,7 +143,8 @@ class network_system {
     }
 
   private:
-    void apply(const std::vector<thermal_pair>& pairs, const std::vector<double>& link, const std::vector<double>& x,
+    template <class Pair>
+    void apply(const std::vector<Pair>& pairs, const std::vector<double>& link, const std::vector<double>& x,
                std::vector<double>& y) const {
         y.resize(x.size());
         for (std::size_t i = 0; i < x.size(); ++i) y[i] = diagonal[i] * x[i];
@@ -158,7 +157,8 @@ class network_system {
     }
 
     /// Residual of x, and its square in the norm of the preconditioner.
-    double refresh(const std::vector<thermal_pair>& pairs, const std::vector<double>& link,
+    template <class Pair>
+    double refresh(const std::vector<Pair>& pairs, const std::vector<double>& link,
                    const std::vector<double>& x) {
         apply(pairs, link, x, product_);
         residual_.resize(x.size());

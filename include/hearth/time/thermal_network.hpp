@@ -61,8 +61,8 @@ class thermal_network {
     /// parts that its bath gave (the rest came from pairs).
     /// Throws bad_value, before it changes anything, for numbers that are not finite or have the wrong sign and for pairs
     /// with an index out of range or with itself.
-    template <class Clock, class Mass, class CaloricOf>
-    report advance(const std::vector<thermal_pair>& pairs, const std::vector<heat_bath<double>>& baths,
+    template <class Link, class Clock, class Mass, class CaloricOf>
+    report advance(const std::vector<linked_pair<Link>>& pairs, const std::vector<heat_bath<double>>& baths,
                    const Mass& mass, const CaloricOf& caloric_of, const Clock& clock, double step,
                    std::vector<double>& temperature, std::vector<particle_step<double>>& taken) {
         check(pairs, baths, mass, caloric_of, clock, step, temperature);
@@ -119,8 +119,8 @@ class thermal_network {
     }
 
   private:
-    template <class Clock, class Mass, class CaloricOf>
-    static void check(const std::vector<thermal_pair>& pairs, const std::vector<heat_bath<double>>& baths,
+    template <class Link, class Clock, class Mass, class CaloricOf>
+    static void check(const std::vector<linked_pair<Link>>& pairs, const std::vector<heat_bath<double>>& baths,
                       const Mass& mass, const CaloricOf& caloric_of, const Clock& clock, double step,
                       const std::vector<double>& temperature) {
         detail::require_positive("step", bad_value::no_index, step, "finite and > 0 [s]");
@@ -142,19 +142,21 @@ class thermal_network {
         }
         for (std::size_t k = 0; k < pairs.size(); ++k) {
             const auto index = static_cast<std::int64_t>(k);
-            const thermal_pair& pair = pairs[k];
+            const linked_pair<Link>& pair = pairs[k];
             const bool in_range = pair.first >= 0 && pair.first < count && pair.second >= 0 && pair.second < count;
             if (!in_range || pair.first == pair.second)
                 throw bad_value("second particle of pair", index, pair.second,
                                 "two different indices of particles, first is " + std::to_string(pair.first));
-            detail::require_not_negative("conductance of pair", index, pair.link.conductance, "finite and >= 0 [W/K]");
-            detail::require_not_negative("radiation of pair", index, pair.link.radiation, "finite and >= 0 [W/K^4]");
+            const thermal_link<double> link = widened(pair.link);
+            detail::require_not_negative("conductance of pair", index, link.conductance, "finite and >= 0 [W/K]");
+            detail::require_not_negative("radiation of pair", index, link.radiation, "finite and >= 0 [W/K^4]");
         }
     }
 
-    void freeze_radiation(const std::vector<thermal_pair>& pairs, const std::vector<heat_bath<double>>& baths) {
+    template <class Link>
+    void freeze_radiation(const std::vector<linked_pair<Link>>& pairs, const std::vector<heat_bath<double>>& baths) {
         for (std::size_t k = 0; k < pairs.size(); ++k) {
-            const thermal_pair& pair = pairs[k];
+            const linked_pair<Link>& pair = pairs[k];
             link_[k] = pair.link.secant(next_[static_cast<std::size_t>(pair.first)],
                                         next_[static_cast<std::size_t>(pair.second)]);
         }
@@ -167,7 +169,8 @@ class thermal_network {
 
     /// Unknowns are deviations from each island's own mean of what pulls at it.  So the digits of small differences
     /// survive at huge steps, and a closed island keeps its energy.
-    void solve(const std::vector<thermal_pair>& pairs, const std::vector<heat_bath<double>>& baths,
+    template <class Link>
+    void solve(const std::vector<linked_pair<Link>>& pairs, const std::vector<heat_bath<double>>& baths,
                const std::vector<double>& temperature, report& result) {
         const std::size_t count = temperature.size();
         system_.diagonal.resize(count);

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string>
+#include <type_traits>
+
+#include <hearth/core/particle_traits.hpp>
+#include <hearth/core/quantity.hpp>
+
+namespace hearth {
+
+namespace detail {
+
+template <class Tag, class List>
+inline constexpr bool is_among_v = false;
+template <class Tag, class... Tags>
+inline constexpr bool is_among_v<Tag, quantities<Tags...>> = (std::is_same_v<Tag, Tags> || ...);
+
+/// Appends the tags of the second list that the first lacks.
+template <class Known, class More>
+struct merged { using type = Known; };
+template <class... Known, class Tag, class... More>
+struct merged<quantities<Known...>, quantities<Tag, More...>> {
+    using next = std::conditional_t<is_among_v<Tag, quantities<Known...>>, quantities<Known...>, quantities<Known..., Tag>>;
+    using type = typename merged<next, quantities<More...>>::type;
+};
+
+template <class... Lists>
+struct merged_all { using type = quantities<>; };
+template <class First, class... Rest>
+struct merged_all<First, Rest...> {
+    using type = typename merged<First, typename merged_all<Rest...>::type>::type;
+};
+
+template <class Tag>
+using value_of = std::conditional_t<std::is_same_v<Tag, quantity::force> || std::is_same_v<Tag, quantity::gas_force>,
+                                    std::array<double, 3>, double>;
+
+/// One error, and its context names the quantity.
+template <class Tag, bool Present>
+struct host_gives {
+    static_assert(Present, "hearth: the scene reads a quantity that the host's particle_traits do not give: see Tag in "
+                           "host_gives<Tag, false>");
+};
+template <class Tag, bool Present>
+struct host_takes {
+    static_assert(Present, "hearth: the scene adds a rate that the host's particle_traits do not take: see Tag in "
+                           "host_takes<Tag, false>");
+};
+
+template <class... Tags>
+struct first_of { using type = void; };
+template <class Tag, class... Tags>
+struct first_of<Tag, Tags...> { using type = Tag; };
+
+template <class Host, class... Tags>
+constexpr bool gives(quantities<Tags...>) {
+    return (can_get_v<Host, Tags> && ...);
+}
+template <class Host, class... Tags>
+constexpr bool takes(quantities<Tags...>) {
+    return (can_add_v<Host, Tags, value_of<Tags>> && ...);
+}
+
+template <class Host>
+constexpr void require_gives(quantities<>) {}
+template <class Host, class Tag, class... Tags>
+constexpr void require_gives(quantities<Tag, Tags...>) {
+    if constexpr (can_get_v<Host, Tag>) {
+        require_gives<Host>(quantities<Tags...>{});
+    } else {
+        (void)host_gives<Tag, can_get_v<Host, Tag>>{};
+    }
+}
+template <class Host>
+constexpr void require_takes(quantities<>) {}
+template <class Host, class Tag, class... Tags>
+constexpr void require_takes(quantities<Tag, Tags...>) {
+    if constexpr (can_add_v<Host, Tag, value_of<Tag>>) {
+        require_takes<Host>(quantities<Tags...>{});
+    } else {
+        (void)host_takes<Tag, can_add_v<Host, Tag, value_of<Tag>>>{};
+    }
+}
+
+template <class... Tags>
+void list_quantities(std::string& text, const char* title, quantities<Tags...>) {
+    if constexpr (sizeof...(Tags) > 0) {
+        text += title;
+        ((text += std::string("\n    ") + Tags::name + "  " + Tags::symbol + " [" + Tags::unit + "]"), ...);
+        text += '\n';
+    }
+}
+
+}  // namespace detail
+
+/// What a set of terms asks of a host: four lists of quantity tags.
+template <class... Terms>
+struct needs_of {
+    using reads = typename detail::merged_all<typename Terms::reads...>::type;
+    using writes = typename detail::merged_all<typename Terms::writes...>::type;
+    using gas_reads = typename detail::merged_all<typename Terms::gas_reads...>::type;
+    using gas_writes = typename detail::merged_all<typename Terms::gas_writes...>::type;
+
+    /// True where a cloud and the gas at its particles give and take all of it.
+    template <class Cloud, class Gas>
+    static constexpr bool are_met_by() {
+        return detail::gives<Cloud>(reads{}) && detail::takes<Cloud>(writes{}) && detail::gives<Gas>(gas_reads{}) &&
+               detail::takes<Gas>(gas_writes{});
+    }
+
+    /// Fails to compile with one error whose context names the first quantity that is missing.
+    template <class Cloud, class Gas>
+    static constexpr void require() {
+        if constexpr (!(detail::gives<Cloud>(reads{}) && detail::gives<Gas>(gas_reads{}))) {
+            if constexpr (!detail::gives<Cloud>(reads{})) {
+                detail::require_gives<Cloud>(reads{});
+            } else {
+                detail::require_gives<Gas>(gas_reads{});
+            }
+        } else if constexpr (!detail::takes<Cloud>(writes{})) {
+            detail::require_takes<Cloud>(writes{});
+        } else if constexpr (!detail::takes<Gas>(gas_writes{})) {
+            detail::require_takes<Gas>(gas_writes{});
+        }
+    }
+
+    /// The same as text, with symbols and units, for a log or a message.
+    static std::string text() {
+        std::string result;
+        detail::list_quantities(result, "of a particle:", reads{});
+        detail::list_quantities(result, "rates that a particle takes:", writes{});
+        detail::list_quantities(result, "of the gas at a particle:", gas_reads{});
+        detail::list_quantities(result, "rates that the gas takes there:", gas_writes{});
+        return result;
+    }
+};
+
+}  // namespace hearth
