@@ -15,7 +15,7 @@ namespace hearth {
 /// K is the smallest for which the coefficients left out sum to at most `tolerance`.  What remains is adjusted to keep
 /// two moments exactly: the sum, 1, so that a smoother keeps volume, and the slope at x = 0, -z, so that it has exactly
 /// the width that was asked for.  All coefficients are >= 0.
-/// K grows like sqrt(2 z log(1/tolerance)).  z >= 0, 0 < tolerance < 1.
+/// K grows like sqrt(2 z log(1/tolerance)).  z >= 0, 0 < tolerance <= 0.01 (with less, the slope cannot be kept).
 class heat_kernel_series {
   public:
     heat_kernel_series(double z, double tolerance) {

@@ -85,19 +85,25 @@ struct divided {
     }
 };
 
-/// The default: a cell is filled to the degree  clamp((max(R, h/2) - s) / h + 1/2, 0, 1),  s the distance of the cell's
-/// centre from the particle's and h the chord of the cell's ellipsoid along it, and the shares are in proportion to
-/// the volumes so filled.
+/// The default: a cell is filled to the degree  clamp((max(R, h/2) - s) / (width h) + 1/2, 0, 1),  s the distance of the
+/// cell's centre from the particle's and h the chord of the cell's ellipsoid along it, and the shares are in proportion
+/// to the volumes so filled.
 ///
 /// For particles larger than cells this is the overlap of sphere and cell to first order in h / R.  For smaller ones it
 /// spreads the volume over the cells around, as linear interpolation does.  Shares are continuous in the particle's
-/// position at every ratio of sizes, with a slope of order 1/h: the cell that holds the centre is filled to 0.13 at
-/// least (s/h <= sqrt(3)/2 in a box), so the sum of all never vanishes.  Where the extents of cells do not cover the
-/// mesh (polyhedra), all s/h of a particle are lowered alike until that holds again, which is continuous too.  (Where
-/// even the nearest cell is more than 1.7 of its extents away, the host's extents are wrong: its find_cell decides.)
+/// position at every ratio of sizes, with a slope of order 1/h: the cell that holds the centre is filled to 0.2 at least
+/// (s/h <= sqrt(3)/2 in a box), so the sum of all never vanishes.  Where the extents of cells do not cover the mesh
+/// (polyhedra), all s/h of a particle are lowered alike until that holds again, which is continuous too.  (Where even the
+/// nearest cell is more than 1.7 of its extents away, the host's extents are wrong: its find_cell decides.)
 ///
 /// Outside the mesh is a particle whose centre is in the box of no cell, if find_cell finds none for it either.
 struct ramp {
+    /// Width of the ramp in chords.  1 is nearest to the overlap itself.  A little more also damps the waves of two cells'
+    /// length that a discrete kernel afterwards damps too little (its rate there is 4/h^2 instead of pi^2/h^2): on six
+    /// random beds the error of the filtered fraction falls from 0.024-0.037 to 0.016-0.021 at d/h = 1 and from
+    /// 0.009-0.015 to 0.006-0.012 at d/h = 2.
+    static constexpr double width = 1.25;
+
     template <class Locator>
     sighting look(const Locator& locator, const visitor& v) const {
         sighting seen{false, std::numeric_limits<double>::infinity()};
@@ -116,11 +122,11 @@ struct ramp {
     void for_each_weight(const Locator& locator, const visitor& v, double nearest, Visit&& visit) const {
         if (nearest > farthest_sought) return centre{}.for_each_weight(locator, v, nearest, visit);
         const double lowered = std::max(0.0, nearest - farthest_in_box);
-        const double per_volume = 1 / locator.largest_volume();
-        locator.for_each_near(v.position, v.radius, lowered > 0 ? Locator::widest : 1,
+        const double per_volume = 1 / locator.largest_volume(), per_width = 1 / width;
+        locator.for_each_near(v.position, v.radius, 0.5 + 0.5 * width + lowered,
                               [&](std::int32_t cell, const point& offset, const point& extent) {
                                   const double depth = place(offset, extent).depth(v.radius) - lowered;
-                                  const double filled = std::min(0.5 - depth, 1.0);
+                                  const double filled = std::min(0.5 - depth * per_width, 1.0);
                                   if (filled > 0) visit(cell, filled * (locator.graph().volume(cell) * per_volume));
                               });
     }
@@ -128,7 +134,7 @@ struct ramp {
   private:
     /// (sqrt(3) - 1) / 2: the depth of a tiny particle in the corner of a box.
     static constexpr double farthest_in_box = 0.36602540378443865;
-    /// A cell this deep below the particle is 1.7 extents away; with `lowered`, all that get a share are within `widest`.
+    /// A cell this deep below the particle is 1.7 extents away.
     static constexpr double farthest_sought = 1.2;
 
     /// Where a cell's centre is, seen from a particle.

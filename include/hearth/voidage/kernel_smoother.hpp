@@ -26,6 +26,10 @@ struct smoothing_report {
     double highest = 0;    ///< largest value of the result
 };
 
+struct kernel_settings {
+    double tolerance = 1e-5;  ///< sum of the coefficients of the series that are left out [-], in (0, 0.01]
+};
+
 /// Spreads a field over the mesh with a kernel of a physical width: the heat kernel  exp(-(width^2 / 2) L),  L the finite
 /// volume Laplacian of the graph's conductances with walls that let nothing through.  In free space it is a Gaussian of
 /// standard deviation `width` along each axis, whatever the shape of the cells.
@@ -42,27 +46,24 @@ struct smoothing_report {
 template <class Communicator = serial_communicator>
 class kernel_smoother {
   public:
-    struct settings {
-        double tolerance = 1e-5;  ///< sum of the coefficients of the series that are left out [-]
-    };
-
     /// width [m], >= 0; 0 leaves fields as they are.  The graph must outlive the smoother.
-    /// Errors: bad_value for a width that is not finite and >= 0, a tolerance outside (0, 1), a graph without faces.
-    kernel_smoother(const cell_graph<Communicator>& graph, double width, const settings& options)
+    /// Errors: bad_value for a width that is not finite and >= 0, a tolerance outside (0, 0.01], a graph without faces.
+    kernel_smoother(const cell_graph<Communicator>& graph, double width, kernel_settings settings = {})
         : graph_(&graph),
-          width_(checked(graph, width, options)),
+          width_(checked(graph, width, settings)),
+          settings_(settings),
           bound_(spectral_bound(graph)),
           rate_(bound_ > 0 ? 2 / bound_ : 0),
-          series_(0.25 * width * width * bound_, options.tolerance) {
+          series_(0.25 * width * width * bound_, settings.tolerance) {
         const auto total = static_cast<std::size_t>(graph.total_count());
         if (series_.terms() > 0) {
             for (auto& vector : work_) vector.resize(total);
         }
         if constexpr (Communicator::is_distributed) find_border();
     }
-    kernel_smoother(const cell_graph<Communicator>& graph, double width) : kernel_smoother(graph, width, settings{}) {}
 
     double width() const { return width_; }  ///< [m]
+    double tolerance() const { return settings_.tolerance; }
     int terms() const { return static_cast<int>(series_.terms()); }
     const cell_graph<Communicator>& graph() const { return *graph_; }
 
@@ -91,12 +92,12 @@ class kernel_smoother {
   private:
     using index = std::int32_t;
 
-    static double checked(const cell_graph<Communicator>& graph, double width, const settings& options) {
+    static double checked(const cell_graph<Communicator>& graph, double width, kernel_settings settings) {
         if (!(width >= 0 && std::isfinite(width))) {
             throw bad_value("kernel_smoother width", bad_value::no_index, width, "finite and >= 0 [m]");
         }
-        if (!(options.tolerance > 0 && options.tolerance < 1)) {
-            throw bad_value("kernel_smoother tolerance", bad_value::no_index, options.tolerance, "in (0, 1)");
+        if (!(settings.tolerance > 0 && settings.tolerance <= 0.01)) {
+            throw bad_value("kernel_smoother tolerance", bad_value::no_index, settings.tolerance, "in (0, 0.01]");
         }
         const bool bare = !graph.has_conductances();
         if (graph.communicator().any(bare)) {
@@ -203,6 +204,7 @@ class kernel_smoother {
 
     const cell_graph<Communicator>* graph_;
     double width_;
+    kernel_settings settings_;
     double bound_;  // of the eigenvalues of L [1/m^2]
     double rate_;   // 2 / bound_ [m^2]
     heat_kernel_series series_;
