@@ -43,8 +43,10 @@ struct scalar_traits<Lanes, std::enable_if_t<std::is_base_of_v<Eigen::ArrayBase<
         return select(x <= std::numeric_limits<real>::max(), root, value(x));
     }
     static value cube_root(const Lanes& lanes) {
-        if constexpr (has_simd) return power(lanes, real(1) / real(3));
-        else return lanes.unaryExpr([](real v) { return std::cbrt(v); });
+        if constexpr (has_simd)
+            return power(lanes, real(1) / real(3));
+        else
+            return lanes.unaryExpr([](real v) { return std::cbrt(v); });
     }
     static value exponential(const Lanes& x) { return x.exp(); }
     static value exponential_minus_one(const Lanes& x) { return x.expm1(); }

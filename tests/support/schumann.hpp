@@ -16,7 +16,8 @@ namespace hearth_test::schumann {
 
 namespace detail {
 
-/// exp(-z) I0(z), z >= 0: power series (all terms positive), and the asymptotic one where its smallest term is below 1e-40.
+/// exp(-z) I0(z), z >= 0: power series (all terms positive), and the asymptotic one where its smallest term is below
+/// 1e-40.
 inline long double scaled_bessel_i0(long double z) {
     if (z < 50) {
         const long double quarter = z * z / 4;
@@ -40,10 +41,12 @@ inline long double scaled_bessel_i0(long double z) {
 /// This is exp(-y) times the integral of exp(-s) I0(2 sqrt(y s)) over s = t^2: a bell of unit width, without overflow.
 /// Eight-point Gauss-Legendre on panels of 1/4: the bell is entire, so each panel is exact to round-off.
 inline long double bell(long double from, long double to, long double y) {
-    constexpr std::array<long double, 4> node{0.183434642495649804939476142360184L, 0.525532409916328985817739049189246L,
-                                              0.796666477413626739591553936475830L, 0.960289856497536231683560868569473L};
-    constexpr std::array<long double, 4> weight{0.362683783378361982965150449277196L, 0.313706645877887287337962201986601L,
-                                                0.222381034453374470544355994426241L, 0.101228536290376259152531354309962L};
+    constexpr std::array<long double, 4> node{
+        0.183434642495649804939476142360184L, 0.525532409916328985817739049189246L,
+        0.796666477413626739591553936475830L, 0.960289856497536231683560868569473L};
+    constexpr std::array<long double, 4> weight{
+        0.362683783378361982965150449277196L, 0.313706645877887287337962201986601L,
+        0.222381034453374470544355994426241L, 0.101228536290376259152531354309962L};
     const long double centre = std::sqrt(y);
     from = std::max(from, centre - 7.5L);  // exp(-7.5^2) = 4e-25
     to = std::min(to, std::max(from, centre) + 7.5L);

@@ -44,11 +44,11 @@ struct air {
         using real = real_t<Scalar>;
         const Scalar& t = temperature;
         const Scalar oxygen_cold =
-            real(3.78245636) +
-            t * (real(-2.99673416e-3) + t * (real(9.84730201e-6) + t * (real(-9.68129509e-9) + t * real(3.24372837e-12))));
+            real(3.78245636) + t * (real(-2.99673416e-3) +
+                                    t * (real(9.84730201e-6) + t * (real(-9.68129509e-9) + t * real(3.24372837e-12))));
         const Scalar oxygen_hot =
-            real(3.28253784) +
-            t * (real(1.48308754e-3) + t * (real(-7.57966669e-7) + t * (real(2.09470555e-10) - t * real(2.16717794e-14))));
+            real(3.28253784) + t * (real(1.48308754e-3) +
+                                    t * (real(-7.57966669e-7) + t * (real(2.09470555e-10) - t * real(2.16717794e-14))));
         const Scalar nitrogen_cold =
             real(3.298677) +
             t * (real(1.4082404e-3) + t * (real(-3.963222e-6) + t * (real(5.641515e-9) - t * real(2.444854e-12))));

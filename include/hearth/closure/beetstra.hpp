@@ -32,8 +32,7 @@ struct beetstra {
         const Scalar ten = exponential(Scalar(real(3) * real(2.302585092994045684017991454684364208L) * solid));
         const Scalar inertia = moving * (real(1) / void_fraction + real(3) * void_fraction * solid) +
                                real(8.4) * power(moving, real(0.657));
-        return real(18) * void_fraction *
-               (rest + real(0.413) / real(24) * inertia * rise / ((rise + ten) * squared));
+        return real(18) * void_fraction * (rest + real(0.413) / real(24) * inertia * rise / ((rise + ten) * squared));
     }
 };
 

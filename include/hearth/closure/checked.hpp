@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <sstream>
 #include <string>
-#include <utility>
 
 #include <hearth/closure/drag.hpp>
 #include <hearth/core/error.hpp>
@@ -106,8 +105,8 @@ struct raise {
 template <class Closure, class Policy = trust>
 class checked : private Closure, private Policy {
   public:
-    explicit checked(Closure closure = Closure(), Policy policy = Policy())
-        : Closure(std::move(closure)), Policy(std::move(policy)) {}
+    HEARTH_FUNCTION explicit checked(const Closure& closure = Closure(), const Policy& policy = Policy())
+        : Closure(closure), Policy(policy) {}
 
     HEARTH_FUNCTION const Closure& closure() const { return *this; }
     HEARTH_FUNCTION static constexpr momentum_model model() { return Closure::model(); }

@@ -10,10 +10,10 @@ namespace hearth::closure {
 template <class Scalar>
 struct bed_flow {
     Scalar void_fraction;  ///< [-]
-    Scalar slip_speed;     ///< |u - v| of interstitial gas and particle; times the void fraction it is superficial [m/s]
-    Scalar density;        ///< of the gas [kg/m^3]
-    Scalar viscosity;      ///< of the gas, dynamic [Pa s]
-    Scalar diameter;       ///< of the particles [m]
+    Scalar slip_speed;  ///< |u - v| of interstitial gas and particle; times the void fraction it is superficial [m/s]
+    Scalar density;     ///< of the gas [kg/m^3]
+    Scalar viscosity;   ///< of the gas, dynamic [Pa s]
+    Scalar diameter;    ///< of the particles [m]
 };
 
 /// Who carries the pressure gradient.

@@ -46,8 +46,7 @@ struct gas_film {
     template <class Scalar>
     HEARTH_FUNCTION static Scalar wall_conductance(const film_pair<Scalar>& pair) {
         const Scalar solid = pair.gas_conductivity / pair.conductivity_i;
-        return pair.gas_conductivity *
-               shape(pair.radius_i, pair.gap, pair.void_fraction, solid, real_t<Scalar>(1));
+        return pair.gas_conductivity * shape(pair.radius_i, pair.gap, pair.void_fraction, solid, real_t<Scalar>(1));
     }
 
     /// The integral over k_g: int 2 pi w dw / ((w - r q) solid + faces (R + g - w)) [m].
@@ -59,9 +58,9 @@ struct gas_film {
         using real = real_t<Scalar>;
         using rule = gauss_legendre<real>;
         const Scalar zero = uniform(radius, real(0));
-        const Scalar middle = radius + half_gap;                               // R + g
-        const Scalar open = maximum(half_gap, zero);                           // narrowest gap
-        const Scalar rim = maximum(Scalar(-half_gap), zero);                   // R - w at the rim
+        const Scalar middle = radius + half_gap;              // R + g
+        const Scalar open = maximum(half_gap, zero);          // narrowest gap
+        const Scalar rim = maximum(Scalar(-half_gap), zero);  // R - w at the rim
         const Scalar rim_radius = square_root(Scalar(rim * (real(2) * radius - rim)));
         const Scalar q = middle / radius * cube_root(Scalar(real(1) - void_fraction)) / real(0.56);
         const Scalar outer = radius * q / square_root(Scalar(real(1) + q * q));  // w at the cone

@@ -13,10 +13,10 @@ namespace hearth::closure {
 /// Black exchange is sigma A F (Tj^4 - Ti^4).  In a bed of diffuse grey spheres it is multiplied by a factor R of the
 /// emissivity e, the same for every pair: R is the ratio of the bed's radiative conductivity to that of a black bed by
 /// own ray tracing with reflection (statistical error 0.3 %): 0.254 at e = 0.2, 0.404 at 0.4, 0.619 at 0.65, 0.833 at
-/// 0.86, 1 at 1; between them a straight line.  The three packings, solid fraction 0.579 to 0.637, differ by 3 % at 0.65
-/// and 1 % at 0.86.  e/(2 - e), parallel planes, is too low by up to half of itself; the two-surface formula per pair is
-/// far too high.
-/// R does not vanish with e, as reflection carries heat too; below the last node nothing is known and R stays 0.254.
+/// 0.86, 1 at 1; between them a straight line.  The three packings, solid fraction 0.579 to 0.637, differ by 3 % at
+/// 0.65 and 1 % at 0.86.  e/(2 - e), parallel planes, is too low by up to half of itself; the two-surface formula per
+/// pair is far too high. R does not vanish with e, as reflection carries heat too; below the last node nothing is known
+/// and R stays 0.254.
 class grey_exchange {
   public:
     /// Throws bad_value unless emissivity is in (0, 1] [-].

@@ -9,8 +9,9 @@ namespace hearth::closure {
 
 /// The share of a particle's own conduction in its heat transfer.
 /// A sphere of one temperature per particle, its mean, exchanges with gas through 1/h_eff = 1/h + d/(10 k): exact for a
-/// parabolic profile inside, the quasi-steady one (linear driving force, Glueckauf, Trans. Faraday Soc. 51 (1955) 1540).
-/// Good while Bi is small; above 0.3 one temperature does not describe the particle and this is a first correction.
+/// parabolic profile inside, the quasi-steady one (linear driving force, Glueckauf, Trans. Faraday Soc. 51 (1955)
+/// 1540). Good while Bi is small; above 0.3 one temperature does not describe the particle and this is a first
+/// correction.
 struct intraparticle {
     /// Bi on the volume over the surface, d/6 [-].
     HEARTH_FUNCTION static constexpr double biot_limit() { return 0.3; }
@@ -27,8 +28,7 @@ struct intraparticle {
     HEARTH_FUNCTION static Scalar transfer_coefficient(const Scalar& transfer_coefficient, const Scalar& diameter,
                                                        const Scalar& conductivity) {
         using real = real_t<Scalar>;
-        return transfer_coefficient /
-               (real(1) + transfer_coefficient * diameter / (real(10) * conductivity));
+        return transfer_coefficient / (real(1) + transfer_coefficient * diameter / (real(10) * conductivity));
     }
 };
 

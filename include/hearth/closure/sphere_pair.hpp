@@ -27,8 +27,8 @@ struct sphere_pair {
         const Scalar x2 = square(x);
         const Scalar x4 = square(x2);
         const Scalar series =
-            real(1) + x * (real(0.125623570) + x * (real(0.0287823226) +
-                                                    x * (real(0.0687180836) - x * real(0.0789526763)))) +
+            real(1) +
+            x * (real(0.125623570) + x * (real(0.0287823226) + x * (real(0.0687180836) - x * real(0.0789526763)))) +
             x4 * x2 * (real(0.117917136) - x2 * real(0.0788043068)) + x4 * x4 * x4 * real(0.0260326856);
         return series * x / real(16);
     }
@@ -53,8 +53,8 @@ struct sphere_pair {
         for (int panel = 0; panel < panels; ++panel)
             for (int k = 0; k < rule::count(); ++k) {
                 const Real v = (Real(panel) + rule::node(k)) / Real(panels);
-                const Real seen = v * v * (Real(3) - Real(2) * v);                                    // (1 + C)/2
-                const Real hidden = (Real(1) - v) * (Real(1) - v) * (Real(1) + Real(2) * v);          // (1 - C)/2
+                const Real seen = v * v * (Real(3) - Real(2) * v);                            // (1 + C)/2
+                const Real hidden = (Real(1) - v) * (Real(1) - v) * (Real(1) + Real(2) * v);  // (1 - C)/2
                 cut += rule::weight(k) * v * (Real(1) - v) * cut_element(s, seen, hidden);
             }
         return whole + Real(3) * cut / (s * Real(panels));
@@ -63,7 +63,7 @@ struct sphere_pair {
   private:
     template <class Real>
     HEARTH_FUNCTION static Real cut_element(Real s, Real seen, Real hidden) {
-        const Real cosine = seen - hidden;                                     // C
+        const Real cosine = seen - hidden;  // C
         const Real q = Real(2) * std::sqrt(seen * hidden);
         const Real c = Real(2) * std::sqrt((s - Real(1)) * (s + Real(1)) + hidden);
         const Real h = std::sqrt(Real(1) + c * c);

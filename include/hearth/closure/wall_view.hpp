@@ -30,13 +30,15 @@ struct wall_view::paper {
 };
 
 /// What touching particles must see of the wall so that together they see all of it: F = 1/(pi n), n the number of
-/// touching particles on an area of one squared diameter.  The default: the exchange of the wall is that of a black one.
+/// touching particles on an area of one squared diameter.  The default: the exchange of the wall is that of a black
+/// one.
 class wall_view::closed {
   public:
     /// Takes n from the solid fraction p of the bed: 0.834 + 3.33 (p - 0.6), fitted within 2 % to own gravity-settled
     /// packings on a flat floor (n = 0.972, 0.882, 0.799, 0.767 at p = 0.637, 0.618, 0.593, 0.577).
     /// Throws bad_value outside [0.57, 0.64].
-    explicit closed(double solid_fraction = 0.6) : view_factor_(1 / (constants<double>::pi() * coverage(solid_fraction))) {
+    explicit closed(double solid_fraction = 0.6)
+        : view_factor_(1 / (constants<double>::pi() * coverage(solid_fraction))) {
         if (!solid_fraction_range().contains(solid_fraction))
             throw bad_value("solid_fraction of closure wall_view::closed", bad_value::no_index, solid_fraction,
                             "in [0.57, 0.64] [-]");

@@ -10,12 +10,12 @@ namespace hearth::closure {
 /// Two bodies in contact, as conduction sees them.
 template <class Scalar>
 struct contact_pair {
-    Scalar contact_radius;       ///< of the true modulus, see hertz.hpp [m]
-    Scalar normal_force;         ///< [N]
-    Scalar conductivity_i;       ///< [W/(m K)], > 0
-    Scalar conductivity_j;       ///< [W/(m K)], > 0
-    Scalar radius_i;             ///< [m]
-    Scalar radius_j;             ///< 0 for a wall whose temperature is that of its surface [m]
+    Scalar contact_radius;  ///< of the true modulus, see hertz.hpp [m]
+    Scalar normal_force;    ///< [N]
+    Scalar conductivity_i;  ///< [W/(m K)], > 0
+    Scalar conductivity_j;  ///< [W/(m K)], > 0
+    Scalar radius_i;        ///< [m]
+    Scalar radius_j;        ///< 0 for a wall whose temperature is that of its surface [m]
 };
 
 /// Conduction through the contact of two particles, or of a particle and a wall.
@@ -61,8 +61,8 @@ struct zhang::series {
     template <class Scalar>
     HEARTH_FUNCTION Scalar conductance(const contact_pair<Scalar>& pair) const {
         using real = real_t<Scalar>;
-        const Scalar resistance = pair.radius_i / pair.conductivity_i + pair.radius_j / pair.conductivity_j +
-                                  real(surface_resistance_);
+        const Scalar resistance =
+            pair.radius_i / pair.conductivity_i + pair.radius_j / pair.conductivity_j + real(surface_resistance_);
         return constants<real>::pi() * square(pair.contact_radius) / resistance;
     }
 
@@ -83,8 +83,8 @@ struct zhang::micro_gap {
     };
 
     /// Throws bad_value unless all three are > 0.
-    explicit micro_gap(const surface& faces) : slope_per_height_(faces.mean_slope / faces.rms_height),
-                                               hardness_(faces.hardness) {
+    explicit micro_gap(const surface& faces)
+        : slope_per_height_(faces.mean_slope / faces.rms_height), hardness_(faces.hardness) {
         require(faces.rms_height, "rms_height", "> 0 [m]");
         require(faces.mean_slope, "mean_slope", "> 0 [-]");
         require(faces.hardness, "hardness", "> 0 [Pa]");
@@ -97,8 +97,8 @@ struct zhang::micro_gap {
         const Scalar area = constants<real>::pi() * square(pair.contact_radius);
         const Scalar pressing = maximum(pair.normal_force, uniform(pair.normal_force, real(0)));
         // h_c A with A drawn into the power: A^0.05 (F/H)^0.95, which needs no pressure where there is no contact.
-        const Scalar faces = real(1.25) * mean_conductivity(pair) * real(slope_per_height_) *
-                             power(area, real(0.05)) * power(Scalar(pressing / real(hardness_)), real(0.95));
+        const Scalar faces = real(1.25) * mean_conductivity(pair) * real(slope_per_height_) * power(area, real(0.05)) *
+                             power(Scalar(pressing / real(hardness_)), real(0.95));
         const Scalar narrowing = constriction::conductance(pair);
         const Scalar sum = faces + narrowing;
         return faces * narrowing / select(sum > real(0), sum, uniform(sum, real(1)));

@@ -10,7 +10,8 @@
 namespace hearth {
 
 /// How a number type does what closures ask of it.  The primary template serves float, double and long double;
-/// <hearth/eigen.hpp> adds Eigen's arrays (SIMD lanes) and dual numbers.  A host specialises it for a number of its own.
+/// <hearth/eigen.hpp> adds Eigen's arrays (SIMD lanes) and dual numbers.  A host specialises it for a number of its
+/// own.
 ///
 /// Types
 ///     real      the plain number inside: literals and coefficients are of this type
