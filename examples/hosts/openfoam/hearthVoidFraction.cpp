@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Reads an OpenFOAM case and a list of particles, and writes the solid fraction that each method gives: OpenFOAM's own
+// (the cell that holds the centre), the paper's Volume Fraction Smoother, and hearth's filtered fraction.
+//
+//     hearthVoidFraction -particles bed.csv            (a line a particle: x y z radius, metres)
+//     mpirun -np 2 hearthVoidFraction -particles bed.csv -parallel
+//
+// Linked with OpenFOAM, so the program is under the GPL; this file is not.
+#include "fvCFD.H"
+
+#include <hearth/adapt/openfoam.hpp>
+#include <hearth/core/strided_cloud.hpp>
+#include <hearth/mpi/communicator.hpp>
+#include <hearth/voidage/filtered_fraction.hpp>
+#include <hearth/voidage/vfs.hpp>
+
+#include <fstream>
+#include <vector>
+
+namespace {
+
+struct particle_list {
+    std::vector<double> rows;        // x, y, z, radius of each
+    std::vector<std::int64_t> ids;
+
+    hearth::strided_cloud<double> view() const {
+        hearth::strided_cloud<double> cloud;
+        cloud.count = static_cast<std::int64_t>(ids.size());
+        cloud.position = {rows.data(), 4};
+        cloud.radius = {rows.data() + 3, 4};
+        cloud.ids = ids.data();
+        return cloud;
+    }
+};
+
+/// Each rank takes its share of the list; hearth brings every particle to the ranks whose cells it overlaps.
+particle_list read_particles(const Foam::fileName& name) {
+    std::ifstream file(name);
+    if (!file) {
+        FatalErrorInFunction << "cannot read the particles " << name << Foam::exit(Foam::FatalError);
+    }
+    particle_list list;
+    std::int64_t id = 0;
+    for (double x, y, z, radius; file >> x >> y >> z >> radius; ++id) {
+        if (id % Foam::Pstream::nProcs() != Foam::Pstream::myProcNo()) continue;
+        list.rows.insert(list.rows.end(), {x, y, z, radius});
+        list.ids.push_back(id);
+    }
+    if (!file.eof()) {
+        FatalErrorInFunction << name << ": particle " << Foam::label(id) << " is not x y z radius" << Foam::exit(Foam::FatalError);
+    }
+    return list;
+}
+
+volScalarField make_field(const Foam::word& name, const fvMesh& mesh) {
+    return volScalarField(IOobject(name, mesh.time().timeName(), mesh, IOobject::NO_READ, IOobject::AUTO_WRITE), mesh,
+                          dimensionedScalar("zero", dimless, 0), "zeroGradient");
+}
+
+/// What each method costs and keeps.
+void report(const volScalarField& field) {
+    Info << field.name() << ": volume " << gSum(scalarField(field.primitiveField() * field.mesh().V())) << " m3, largest fraction "
+         << gMax(field) << nl;
+}
+
+template <class Mesh, class Communicator>
+void write_fractions(const fvMesh& mesh, const Mesh& cells, const Communicator& ranks, const particle_list& particles) {
+    const auto cloud = particles.view();
+    const hearth::cell_graph<Communicator> graph(cells, ranks);
+    const hearth::cell_locator<Mesh, Communicator> locator(cells, graph);
+
+    volScalarField centre = make_field("solidFraction.centre", mesh);
+    hearth::deposit_solid_fraction(locator, cloud, centre, hearth::deposit::centre{});
+
+    volScalarField smoothed = make_field("solidFraction.vfs", mesh);
+    smoothed = centre;
+    hearth::volume_fraction_smoother smoother(graph, hearth::vfs_settings{0.9});
+    const auto vfs = smoother.smooth(smoothed);
+
+    volScalarField filtered = make_field("solidFraction", mesh);
+    hearth::transfer_operator<Mesh, Communicator> transfer(locator);
+    const auto kernel = transfer.distribute(cloud, filtered);
+
+    for (volScalarField* field : {&centre, &smoothed, &filtered}) {
+        field->correctBoundaryConditions();
+        report(*field);
+        field->write();
+    }
+    Info << "smoother: " << vfs.sweeps << " sweeps, " << Foam::label(vfs.smoothed_cells) << " cells smoothed; kernel: width "
+         << kernel.width << " m, " << kernel.terms << " terms, " << kernel.capped_volume << " m3 capped" << endl;
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+    argList::addOption("particles", "file", "x y z radius of each particle [m]");
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+    const particle_list particles = read_particles(args.opt<fileName>("particles"));
+    if (Pstream::parRun()) {
+        const hearth::openfoam::distributed_mesh cells(mesh);
+        write_fractions(mesh, cells, hearth::mpi::communicator{}, particles);
+    } else {
+        write_fractions(mesh, mesh, hearth::serial_communicator{}, particles);
+    }
+}
