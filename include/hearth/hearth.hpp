@@ -66,14 +66,24 @@
 #include <hearth/voidage/vfs.hpp>
 #include <hearth/voidage/vfs_cells.hpp>
 #include <hearth/voidage/vfs_completion.hpp>
+#include <hearth/voidage/vfs_directory.hpp>
 #include <hearth/voidage/vfs_log.hpp>
 #include <hearth/voidage/vfs_regions.hpp>
+#include <hearth/voidage/vfs_replay.hpp>
 #include <hearth/voidage/vfs_wave.hpp>
 #include <hearth/voidage/visitors.hpp>
 
+#include <hearth/transfer/conduction.hpp>
+#include <hearth/transfer/convection.hpp>
+#include <hearth/transfer/drag.hpp>
+#include <hearth/transfer/links.hpp>
+#include <hearth/transfer/radiation.hpp>
+#include <hearth/transfer/species.hpp>
+#include <hearth/transfer/term.hpp>
 
 #include <hearth/time/acceleration_switch.hpp>
 #include <hearth/time/caloric.hpp>
+#include <hearth/time/drying_step.hpp>
 #include <hearth/time/gas_exchange.hpp>
 #include <hearth/time/limits.hpp>
 #include <hearth/time/network_solver.hpp>
@@ -84,3 +94,6 @@
 #include <hearth/time/tssm_error.hpp>
 #include <hearth/time/tssm_ledger.hpp>
 
+#include <hearth/scene/build_links.hpp>
+#include <hearth/scene/needs.hpp>
+#include <hearth/scene/scene.hpp>
