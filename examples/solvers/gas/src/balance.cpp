@@ -17,7 +17,8 @@ void solver::check_balances(report& r, const gas_fields* before, double dt, doub
         const double flux = gas.flow.mass_flux[f];
         backflow += boundary_.type[b] == flow_boundary::kind::outlet && flux < 0;
         const auto count = [&](balance& to, double inside, double outside) {
-            const double out = flux * (flux < 0 ? outside : inside) + boundary_diffusion_[b] * (inside - outside);
+            const bool given = flux < 0 || leaves_with_given_value(flux, boundary_diffusion_[b]);
+            const double out = flux * (given ? outside : inside) + boundary_diffusion_[b] * (inside - outside);
             (out > 0 ? to.out : to.in) += std::abs(out);
         };
         count(all[0], 1, 1);

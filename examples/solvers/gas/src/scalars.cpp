@@ -26,10 +26,12 @@ void solver::solve_enthalpy(report& r, const gas_fields* before, double dt, doub
     update_diffusivity();
     scalars_.assemble(gas.flow.mass_flux, diffusivity_, boundary_diffusion_);
     scalars_.start(gas.enthalpy, scalar_boundary_.enthalpy);
-    const double relax = dt > 0 ? 1 : settings.energy_relaxation;
+    const double relax = settings.energy_relaxation;
     for (int c = 0; c < n; ++c) {
         double& diagonal = scalars_.a.diagonal[c];
         double& right = scalars_.right[c];
+        if (r.species_change > 0)  // the temperature that the present enthalpy has in the new mixture
+            gas.temperature[c] = model_->temperature(gas.enthalpy[c], composition(c), gas.temperature[c]);
         right += sources.enthalpy[c];
         const double mass = medium_.mass_source[c];
         if (mass > 0) diagonal += mass;
@@ -84,7 +86,7 @@ void solver::solve_species(report& r, const gas_fields* before, double dt, doubl
     update_diffusivity();
     // The same matrix for all; the last species, the bath gas, is what is left, so that the sum is 1.
     scalars_.assemble(gas.flow.mass_flux, diffusivity_, boundary_diffusion_);
-    const double relax = dt > 0 ? 1 : settings.energy_relaxation;
+    const double relax = settings.energy_relaxation;
     for (int c = 0; c < n; ++c) {
         double& diagonal = scalars_.a.diagonal[c];
         diagonal += std::max(medium_.mass_source[c], 0.0);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace hearth::gas {
 
@@ -62,7 +63,8 @@ void solver::update_medium() {
 void solver::inner_iteration(report& r, const flow_history& history, const gas_fields* before) {
     ++r.iterations;
     update_medium();
-    const flow_settings& fs = settings.flow;
+    flow_settings fs = settings.flow;
+    fs.resistance_floor = std::max(fs.resistance_floor, through_flow_rate());
     if (before) stored_density_ = gas.flow.pressure;
     r.flow = flow_.iterate(gas.flow, medium_, boundary_, history, fs);
     if (before)
@@ -79,6 +81,19 @@ void solver::inner_iteration(report& r, const flow_history& history, const gas_f
     update_density();
 }
 
+/// Mass that comes in per time and volume [kg/(m^3 s)]: what inertia resists with over one passage.
+double solver::through_flow_rate() const {
+    double sums[2] = {0, 0};
+    for (std::size_t b = 0; b < boundary_.mass_flux.size(); ++b)
+        sums[0] += std::max({0.0, -boundary_.mass_flux[b], -gas.flow.mass_flux[b + mesh_->internal_faces()]});
+    for (int c = 0; c < mesh_->owned_cells(); ++c) {
+        sums[0] += std::max(medium_.mass_source[c], 0.0);
+        sums[1] += mesh_->volume[c];
+    }
+    ranks_->sum(sums, 2);
+    return sums[0] / sums[1];
+}
+
 bool solver::is_settled(report& r) const {
     double finite[2] = {std::isfinite(r.flow.velocity_change) && std::isfinite(r.flow.pressure.last) ? 0.0 : 1.0,
                         std::isfinite(r.temperature_change) ? 0.0 : 1.0};
@@ -91,7 +106,10 @@ bool solver::is_settled(report& r) const {
     const double t = settings.tolerance;
     r.reason.clear();
     const auto wait = [&r](const char* what, double value) {
-        if (r.reason.empty()) r.reason = std::string(what) + " still changes by " + std::to_string(value);
+        if (!r.reason.empty()) return;
+        std::ostringstream text;
+        text << what << " still changes by " << value;
+        r.reason = text.str();
     };
     if (r.flow.velocity_change > t) wait("the velocity, relatively,", r.flow.velocity_change);
     if (r.flow.pressure_change > t) wait("the pressure, relatively,", r.flow.pressure_change);
@@ -116,7 +134,7 @@ report solver::level_zero(int iterations) {
     fs.pressure.relative = std::min(fs.pressure.relative, 1e-4);
     for (r.iterations = 0; r.iterations < iterations; ++r.iterations) {
         update_medium();
-        // Gas outside the bed needs some resistance: a thousandth of the bed's mean, or that of friction over its size.
+        // Gas outside the bed needs some resistance: a thousandth of the bed's mean, or that of its inertia.
         double sums[2] = {0, 0};
         for (int c = 0; c < mesh_->owned_cells(); ++c)
             if (!free_[c]) {
@@ -124,13 +142,19 @@ report solver::level_zero(int iterations) {
                 sums[1] += 1;
             }
         ranks_->sum(sums, 2);
-        fs.resistance_floor = std::max(settings.flow.resistance_floor, sums[1] > 0 ? 1e-3 * sums[0] / sums[1] : 1.0);
+        fs.resistance_floor = std::max({settings.flow.resistance_floor, through_flow_rate(), sums[1] > 0 ? 1e-3 * sums[0] / sums[1] : 0});
         r.flow = flow_.iterate(gas.flow, medium_, boundary_, {}, fs);
         update_density();
         if (is_settled(r)) break;
     }
     check_balances(r, nullptr, 0, 0);
     return r;
+}
+
+void solver::start_from_rest() {
+    double moving = 0;
+    for (const double f : gas.flow.mass_flux) moving += f != 0;
+    if (ranks_->sum(moving) == 0) level_zero();
 }
 
 report solver::iterate() {
@@ -145,9 +169,7 @@ report solver::iterate() {
 report solver::steady() {
     check_bed();
     report r;
-    bool at_rest = true;
-    for (const double f : gas.flow.mass_flux) at_rest = at_rest && f == 0;
-    if (at_rest) level_zero();
+    start_from_rest();
     while (r.iterations < settings.max_iterations) {
         inner_iteration(r, {}, nullptr);
         if (is_settled(r) && (r.iterations > 2 || !r.converged)) break;
@@ -157,6 +179,7 @@ report solver::steady() {
         const solver_settings usual = settings;
         settings.flow.pressure = {1e-12, 0, 400};
         settings.scalars = {1e-12, 0, 1000};
+        settings.energy_relaxation = 1;
         for (int i = 0; i < 3; ++i) inner_iteration(r, {}, nullptr);
         settings = usual;
     }
@@ -171,6 +194,7 @@ report solver::step(double dt, double storage) {
     if (old_void_.empty()) old_void_ = bed.void_fraction;
     const gas_fields before = gas;
     flow_history history{dt, storage, gas.density, old_void_, gas.flow.mass_flux, gas.flow.velocity};
+    start_from_rest();
     report r;
     const solver_settings usual = settings;
     // each solve is tight enough for the balances of this very step
@@ -182,6 +206,7 @@ report solver::step(double dt, double storage) {
     }
     settings.flow.pressure = {1e-13, 0, 400};
     settings.scalars = {1e-13, 0, 1000};
+    settings.energy_relaxation = 1;
     if (r.converged) inner_iteration(r, history, &before);
     settings = usual;
     if (r.broken) {  // nothing broken is passed on

@@ -71,6 +71,8 @@ void transport::start(const std::vector<double>& field, const std::vector<double
     for (int f = internal; f < m.faces(); ++f) {
         const int b = f - internal, p = m.owner[f];
         right[p] += (boundary_diffusion_[b] + std::max(-mass_flux_[f], 0.0)) * boundary_value[b];
+        if (leaves_with_given_value(mass_flux_[f], boundary_diffusion_[b]))
+            right[p] -= mass_flux_[f] * (boundary_value[b] - field[p]);
         if (skewed && boundary_diffusion_[b] > 0)
             right[p] += boundary_diffusion_[b] / m.conductance[f] *
                         dot(slope_[p], m.area[f] - m.conductance[f] * (m.face_centre[f] - m.centre[p]));

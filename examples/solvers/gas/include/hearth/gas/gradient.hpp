@@ -24,16 +24,16 @@ class gradient {
     std::vector<symmetric> inverse_;
 };
 
-/// van Leer's limiter on a face between the upwind cell and the downwind one (J. Comput. Phys. 14 (1974) 361,
-/// doi:10.1016/0021-9991(74)90019-9), with the far upwind difference taken from the gradient.
+/// van Albada's limiter on a face between the upwind cell and the downwind one (Astron. Astrophys. 108 (1982) 76), with
+/// the far upwind difference taken from the gradient.  Smoother than van Leer's: outer iterations do not chatter.
 /// Returns what to add to the upwind value.  `share` is the distance of the face from the upwind cell over that of the
 /// two centres; `slope` the upwind gradient times the vector between the centres.
 inline double limited_correction(double difference, double slope, double share) {
     const double behind = 2 * slope - difference;  // difference across the cell behind the upwind one
     const double product = behind * difference;
     if (!(product > 0)) return 0;                  // an extremum: first order
-    const double van_leer = 2 * product / (behind + difference);  // harmonic mean of the two differences
-    const double correction = share * van_leer;
+    const double mean = product * (behind + difference) / (behind * behind + difference * difference);
+    const double correction = share * mean;
     return std::abs(correction) > std::abs(difference) ? difference : correction;
 }
 

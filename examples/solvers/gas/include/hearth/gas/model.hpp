@@ -27,12 +27,13 @@ class gas_model {
     double temperature(double enthalpy_, const double* mass_fraction, double guess) const {
         double low = lowest_temperature(), high = highest_temperature();
         double t = guess > low && guess < high ? guess : 0.5 * (low + high);
-        for (int i = 0; i < 60; ++i) {
+        for (int i = 0; i < 100; ++i) {
             const double rest = enthalpy(t, mass_fraction) - enthalpy_;
             (rest > 0 ? high : low) = t;
             double next = t - rest / specific_heat(t, mass_fraction);
+            // A step of round-off is not taken: an unchanged enthalpy gives an unchanged temperature.
+            if (std::abs(next - t) < 1e-14 * t) return t;
             if (!(next > low && next < high)) next = 0.5 * (low + high);
-            if (std::abs(next - t) < 1e-10 * t) return next;
             t = next;
         }
         return t;

@@ -24,7 +24,7 @@ struct solver_settings {
     double turbulent_prandtl = 0.85;        ///< also the turbulent Schmidt number; Lewis number 1 throughout [-]
     /// The term e dp/dt of the enthalpy in transients.  Off, as in Eq. 11 of the paper: at low Mach number it is sound.
     bool pressure_work = false;
-    double energy_relaxation = 1.0;         ///< steady enthalpy and species [-]
+    double energy_relaxation = 0.9;         ///< of enthalpy and species between outer iterations, (0, 1] [-]
     k_epsilon::constants turbulence_constants;
     flow_settings flow;
     solve_settings scalars{1e-3, 0, 300};
@@ -125,6 +125,8 @@ class solver {
     void inner_iteration(report& r, const flow_history& history, const gas_fields* before);
     bool is_settled(report& r) const;
     void confirm(report& r) const;
+    void start_from_rest();
+    double through_flow_rate() const;
 
     const mesh* mesh_;
     std::shared_ptr<const gas_model> model_;

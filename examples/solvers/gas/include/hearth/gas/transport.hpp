@@ -9,6 +9,11 @@
 
 namespace hearth::gas {
 
+/// Whether gas that leaves through a boundary with a given value takes it: where conduction outweighs convection.
+inline bool leaves_with_given_value(double mass_flux, double boundary_diffusion) {
+    return mass_flux > 0 && boundary_diffusion > mass_flux;
+}
+
 /// Convection and diffusion of scalars per mass of gas (enthalpy, mass fractions, k, epsilon), second order and limited.
 ///
 /// In the form F.grad f = div(F f) - f div F, which leaves a uniform f uniform for any fluxes, storage and void fraction,
