@@ -20,6 +20,7 @@ struct view_row {
     double pairs = 0.0;
     double walls = 0.0;
     double open = 0.0;
+    bool beside_wall = false;
 };
 
 /// Scales pairs by the mean of what their two rows need, a few times: symmetric, and the rows tend to 1.
@@ -87,13 +88,20 @@ view_report build_radiation(const Term& term, const Cloud& cloud, const Contacts
         if (static_cast<std::int64_t>(j) < count) rows[static_cast<std::size_t>(j)].pairs += area / term.surface(q);
     });
 
+    if constexpr (has_near_walls_v<Contacts>) {
+        contacts_of<Contacts>::for_each_near_wall(contacts, term.beside_wall(), [&](auto i, auto, double) {
+            rows[static_cast<std::size_t>(i)].beside_wall = true;
+        });
+    }
     const auto see_wall = [&](auto i, auto patch, double distance) {
         const auto p = at(i);
         const double area = term.wall_area(p, distance);
         if (!(area > 0.0)) return;
         walls.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(patch), {}});
         walls.back().link.radiation = emission * area;
-        rows[static_cast<std::size_t>(i)].walls += area / term.surface(p);
+        view_row& row = rows[static_cast<std::size_t>(i)];
+        row.walls += area / term.surface(p);
+        row.beside_wall = true;
     };
     constexpr bool at_distance = !decltype(term.wall)::touching_only();
     if constexpr (at_distance && has_near_walls_v<Contacts>) {
@@ -108,7 +116,9 @@ view_report build_radiation(const Term& term, const Cloud& cloud, const Contacts
     // A particle that misses more of its view than the scatter inside a bed explains looks out of the bed.
     const bed_view inside = bed_view::within(term.params.cutoff, term.params.solid_fraction);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const double missing = 1.0 - rows[i].walls - rows[i].pairs / inside.seen;
+        // A wall view for touching particles lets them stand for the others beside the wall, which are not open for that.
+        const double behind = rows[i].beside_wall ? std::max(rows[i].walls, term.behind_wall()) : 0.0;
+        const double missing = 1.0 - behind - rows[i].pairs / inside.seen;
         if (!(missing > term.params.open_from)) continue;
         rows[i].open = missing;
         surroundings.push_back({static_cast<std::int32_t>(i), term.params.surroundings,

@@ -102,9 +102,57 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
         needs::template require<Cloud, Gas>();
         ledger books{};
         if constexpr (needs::template are_met_by<Cloud, Gas>()) {
+            using traits = detail::particles_of<Cloud>;
+            using gas_traits = detail::particles_of<Gas>;
             using index = particle_index_t<Cloud>;
-            const index count = detail::particles_of<Cloud>::particle_count(cloud);
-            for (index i = 0; i < count; ++i) exchange_with_gas(cloud, gas, i, clock, books);
+            const index count = traits::particle_count(cloud);
+            // The body stands here and not in a function of its own, so that the ledger stays in registers.
+            for (index i = 0; i < count; ++i) {
+                const auto k = static_cast<particle_index_t<Gas>>(i);
+                const view<Cloud> p(cloud, i);
+                const view<Gas> g(gas, k);
+                if constexpr (has(act::gas_heat)) {
+                    double heat = 0.0;
+                    this->template for_each<act::gas_heat>([&](auto number, const auto& term) {
+                        const double q = term.gas_link(p, g, clock).heat(static_cast<double>(p[quantity::temperature{}]),
+                                                                        static_cast<double>(g[quantity::gas_temperature{}]));
+                        heat += q;
+                        books[number].heat_from_gas += q;
+                    });
+                    traits::add(quantity::heat_rate{}, cloud, i, clock.factor(i) * heat);
+                    gas_traits::add(quantity::gas_heat_rate{}, gas, k, -heat);
+                }
+                if constexpr (has(act::gas_force)) {
+                    std::array<double, 3> force{}, reaction{};
+                    this->template for_each<act::gas_force>([&](auto number, const auto& term) {
+                        const drag_exchange exchange = term.gas_force(p, g, clock);
+                        detail::for_each_axis([&](std::size_t a) {
+                            const double f = exchange.coefficient * exchange.slip[a];
+                            force[a] += f + exchange.pressure_force[a];
+                            reaction[a] -= f;
+                            books[number].force_from_gas[a] += f;
+                            books[number].force_from_pressure[a] += exchange.pressure_force[a];
+                        });
+                    });
+                    traits::add(quantity::force{}, cloud, i, force);
+                    gas_traits::add(quantity::gas_force{}, gas, k, reaction);
+                }
+                if constexpr (has(act::gas_mass)) {
+                    double mass = 0.0, enthalpy = 0.0, latent = 0.0;
+                    this->template for_each<act::gas_mass>([&](auto number, const auto& term) {
+                        const vapour_exchange exchange = term.gas_mass(p, g, clock);
+                        mass += exchange.rate;
+                        latent += exchange.rate * exchange.latent_heat;
+                        enthalpy += exchange.rate * exchange.vapour_enthalpy;
+                        books[number].vapour_to_gas += exchange.rate;
+                        books[number].vapour_enthalpy_to_gas += exchange.rate * exchange.vapour_enthalpy;
+                    });
+                    traits::add(quantity::mass_rate{}, cloud, i, -clock.factor(i) * mass);
+                    traits::add(quantity::heat_rate{}, cloud, i, -clock.factor(i) * latent);
+                    gas_traits::add(quantity::vapour_rate{}, gas, k, mass);
+                    gas_traits::add(quantity::vapour_enthalpy_rate{}, gas, k, enthalpy);
+                }
+            }
         }
         return books;
     }
@@ -203,56 +251,6 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
     static void add_pair(link_list<link>& list, I i, J j, const Link& made) {
         if (made.conductance > 0.0)
             list.pairs.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), narrowed(made)});
-    }
-
-    template <class Cloud, class Gas, class Index, class Clock>
-    void exchange_with_gas(Cloud& cloud, Gas& gas, Index i, const Clock& clock, ledger& books) const {
-        using traits = detail::particles_of<Cloud>;
-        using gas_traits = detail::particles_of<Gas>;
-        const auto k = static_cast<particle_index_t<Gas>>(i);
-        const view<Cloud> p(cloud, i);
-        const view<Gas> g(gas, k);
-        if constexpr (has(act::gas_heat)) {
-            double heat = 0.0;
-            this->template for_each<act::gas_heat>([&](auto number, const auto& term) {
-                const double q = term.gas_link(p, g, clock).heat(static_cast<double>(p[quantity::temperature{}]),
-                                                                static_cast<double>(g[quantity::gas_temperature{}]));
-                heat += q;
-                books[number].heat_from_gas += q;
-            });
-            traits::add(quantity::heat_rate{}, cloud, i, clock.factor(i) * heat);
-            gas_traits::add(quantity::gas_heat_rate{}, gas, k, -heat);
-        }
-        if constexpr (has(act::gas_force)) {
-            std::array<double, 3> force{}, reaction{};
-            this->template for_each<act::gas_force>([&](auto number, const auto& term) {
-                const drag_exchange exchange = term.gas_force(p, g, clock);
-                for (std::size_t a = 0; a < 3; ++a) {
-                    const double f = exchange.coefficient * exchange.slip[a];
-                    force[a] += f + exchange.pressure_force[a];
-                    reaction[a] -= f;
-                    books[number].force_from_gas[a] += f;
-                    books[number].force_from_pressure[a] += exchange.pressure_force[a];
-                }
-            });
-            traits::add(quantity::force{}, cloud, i, force);
-            gas_traits::add(quantity::gas_force{}, gas, k, reaction);
-        }
-        if constexpr (has(act::gas_mass)) {
-            double mass = 0.0, enthalpy = 0.0, latent = 0.0;
-            this->template for_each<act::gas_mass>([&](auto number, const auto& term) {
-                const vapour_exchange exchange = term.gas_mass(p, g, clock);
-                mass += exchange.rate;
-                latent += exchange.rate * exchange.latent_heat;
-                enthalpy += exchange.rate * exchange.vapour_enthalpy;
-                books[number].vapour_to_gas += exchange.rate;
-                books[number].vapour_enthalpy_to_gas += exchange.rate * exchange.vapour_enthalpy;
-            });
-            traits::add(quantity::mass_rate{}, cloud, i, -clock.factor(i) * mass);
-            traits::add(quantity::heat_rate{}, cloud, i, -clock.factor(i) * latent);
-            gas_traits::add(quantity::vapour_rate{}, gas, k, mass);
-            gas_traits::add(quantity::vapour_enthalpy_rate{}, gas, k, enthalpy);
-        }
     }
 };
 

@@ -34,8 +34,8 @@ struct drag : Closure {
         drag_exchange result{closure::particle_coefficient(static_cast<const Closure&>(*this), flow), slip, {}};
         if constexpr (Closure::model() == closure::momentum_model::a) {
             const double volume = constants<double>::pi() / 6.0 * diameter * diameter * diameter;
-            const auto gradient = g[quantity::pressure_gradient{}];
-            for (std::size_t k = 0; k < 3; ++k) result.pressure_force[k] = -volume * static_cast<double>(gradient[k]);
+            const auto& gradient = g[quantity::pressure_gradient{}];
+            detail::for_each_axis([&](std::size_t a) { result.pressure_force[a] = -volume * static_cast<double>(gradient[a]); });
         }
         return result;
     }

@@ -73,8 +73,8 @@ struct radiation_params {
     double surroundings = 293.15; ///< temperature that open views see [K]
     view_rows rows = view_rows::conductivity;
     /// Share of its view that a particle must miss before it counts as open to the surroundings [-].  Rows of particles
-    /// inside a bed scatter by 0.03 to 0.04, and a bed must not leak through this scatter.
-    double open_from = 0.15;
+    /// inside a bed scatter by 0.03 to 0.04, and a bed must not leak through this scatter; surface particles miss 0.4.
+    double open_from = 0.2;
 };
 
 /// Radiation between particles of a bed, to its walls and to open surroundings:  Q = s A F R (T_there^4 - T^4), s
@@ -118,6 +118,11 @@ struct radiation : ViewFactor {
     double wall_area(const Particle& p, double distance) const {
         return surface(p) * wall.view_factor(distance / (2.0 * static_cast<double>(p[quantity::radius{}])));
     }
+
+    /// How much of its view a wall beside it may take from a particle, at most [-]; beyond, it is open.
+    static constexpr double behind_wall() { return 0.32; }
+    /// To this distance of the centre over the diameter a wall is beside a particle.
+    static constexpr double beside_wall() { return 1.2; }
 
     template <class Particle>
     static double surface(const Particle& p) {

@@ -49,7 +49,7 @@ class view {
     view(const Host& host, index i) : host_(&host), index_(i) {}
 
     template <class Tag>
-    auto operator[](Tag tag) const {
+    decltype(auto) operator[](Tag tag) const {
         return detail::particles_of<Host>::get(tag, *host_, index_);
     }
     index number() const { return index_; }
@@ -75,10 +75,19 @@ struct vapour_exchange {
 
 namespace detail {
 
+/// visit(0), visit(1), visit(2), written out: compilers keep a vector's components in registers where they leave a loop
+/// over them in memory.
+template <class Visit>
+constexpr void for_each_axis(Visit&& visit) {
+    visit(std::size_t{0});
+    visit(std::size_t{1});
+    visit(std::size_t{2});
+}
+
 /// Interstitial slip of the gas past the true motion of a particle [m/s].
 template <class Particle, class Gas, class Clock>
 std::array<double, 3> slip_velocity(const Particle& p, const Gas& g, const Clock& clock) {
-    const auto u = g[quantity::gas_velocity{}];
+    const auto& u = g[quantity::gas_velocity{}];
     const auto v = clock.true_velocity(p.number(), p[quantity::velocity{}]);
     return {static_cast<double>(u[0]) - static_cast<double>(v[0]), static_cast<double>(u[1]) - static_cast<double>(v[1]),
             static_cast<double>(u[2]) - static_cast<double>(v[2])};
