@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <hearth/core/error.hpp>
-#include <hearth/time/network_solver.hpp>
+#include <hearth/time/advance.hpp>
 #include <hearth/time/particle_energy.hpp>
 #include <hearth/time/tssm.hpp>
 

@@ -17,21 +17,6 @@ using thermal_pair = linked_pair<thermal_link<double>>;
 
 namespace detail {
 
-inline void require_positive(const char* place, std::int64_t index, double value, const char* allowed) {
-    if (!(value > 0.0 && std::isfinite(value))) throw bad_value(place, index, value, allowed);
-}
-inline void require_not_negative(const char* place, std::int64_t index, double value, const char* allowed) {
-    if (!(value >= 0.0 && std::isfinite(value))) throw bad_value(place, index, value, allowed);
-}
-inline void require_bath(const heat_bath<double>& bath, std::int64_t index) {
-    require_not_negative("bath conductance of particle", index, bath.conductance, "finite and >= 0 [W/K]");
-    require_not_negative("bath conductance times temperature of particle", index, bath.conductance_times_t,
-                         "finite and >= 0 [W]");
-    require_not_negative("bath radiation of particle", index, bath.radiation, "finite and >= 0 [W/K^4]");
-    require_not_negative("bath radiation times T^4 of particle", index, bath.radiation_times_t4,
-                         "finite and >= 0 [W]");
-}
-
 /// The connected parts of a graph of pairs, numbered in order of their first member.
 class islands {
   public:

@@ -9,6 +9,7 @@
 
 #include <hearth/core/error.hpp>
 #include <hearth/core/thermal_link.hpp>
+#include <hearth/time/advance.hpp>
 #include <hearth/time/network_solver.hpp>
 #include <hearth/time/particle_energy.hpp>
 #include <hearth/time/tssm.hpp>
@@ -123,23 +124,8 @@ class thermal_network {
     static void check(const std::vector<linked_pair<Link>>& pairs, const std::vector<heat_bath<double>>& baths,
                       const Mass& mass, const CaloricOf& caloric_of, const Clock& clock, double step,
                       const std::vector<double>& temperature) {
-        detail::require_positive("step", bad_value::no_index, step, "finite and > 0 [s]");
+        detail::check_particles(baths, mass, caloric_of, clock, step, temperature);
         const auto count = static_cast<std::int64_t>(temperature.size());
-        const auto size_is = [count](const char* name, std::size_t size) {
-            if (static_cast<std::int64_t>(size) != count)
-                throw bad_value(name, bad_value::no_index, static_cast<double>(size), "as many as temperatures");
-        };
-        size_is("number of baths", baths.size());
-        size_is("number of masses", mass.size());
-        for (std::size_t i = 0; i < temperature.size(); ++i) {
-            const auto index = static_cast<std::int64_t>(i);
-            detail::require_positive("temperature of particle", index, temperature[i], "finite and > 0 [K]");
-            detail::require_positive("mass of particle", index, mass[i], "finite and > 0 [kg]");
-            detail::require_positive("specific_heat of particle", index, caloric_of(i).specific_heat(temperature[i]),
-                                     "finite and > 0 [J/(kg K)]");
-            detail::check_acceleration_factor(clock.factor(i), index);
-            detail::require_bath(baths[i], index);
-        }
         for (std::size_t k = 0; k < pairs.size(); ++k) {
             const auto index = static_cast<std::int64_t>(k);
             const linked_pair<Link>& pair = pairs[k];
