@@ -23,9 +23,10 @@ BAND = 1.25               # width of an accepted band, up and down
 EXACT = 1e-12             # an error below this is round-off: its band is [0, 10 * EXACT]
 SUFFIX = re.compile(r"/(real_time|process_time|manual_time|iterations:\d+|repeats:\d+|threads:\d+)")
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
-OURS = {"name", "family_index", "per_family_instance_index", "run_name", "run_type", "repetitions", "threads",
-        "repetition_index", "iterations", "real_time", "cpu_time", "time_unit", "label", "error", "per_item",
-        "over_stream", "items_per_second", "bytes_per_second"}
+# What Google Benchmark itself writes about a benchmark; all else are counters that the benchmark has set.
+STANDARD = {"name", "family_index", "per_family_instance_index", "run_name", "run_type", "repetitions", "threads",
+            "repetition_index", "iterations", "real_time", "cpu_time", "time_unit", "label", "items_per_second",
+            "bytes_per_second"}
 # Okabe and Ito's palette: distinct for every kind of colour vision.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8C6D1F"]
 MARKERS = "osD^vP*X"
@@ -48,7 +49,7 @@ def read(files):
             parameter, _, value = (rest[-1] if rest else "").partition(":")
             wall = any(kind in entry["name"] for kind in ("/real_time", "/manual_time"))
             seconds = entry["real_time" if wall else "cpu_time"] * UNITS[entry["time_unit"]]
-            counters = {key: entry[key] for key in entry if key not in OURS or key in ("per_item", "over_stream")}
+            counters = {key: value for key, value in entry.items() if key not in STANDARD and key != "error"}
             points.append(Point(name, family, " ".join([method, *rest[:-1]]), parameter, value, seconds,
                                 entry.get("error"), counters, entry.get("label", "")))
     return points
