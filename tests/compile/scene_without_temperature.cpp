@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// error: hearth: the scene reads a quantity that the host's particle_traits do not give: see Tag in host_gives<Tag, false>
-#include "host.hpp"
-
+// error: hearth: the scene reads a quantity that the host lacks: see Tag in host_gives<Tag, false>
 #include <hearth/closure/gunn.hpp>
 #include <hearth/scene/scene.hpp>
 #include <hearth/transfer/convection.hpp>
+
+#include "host.hpp"
 
 template <>
 struct hearth::particle_traits<host::cloud> {

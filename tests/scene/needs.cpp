@@ -54,7 +54,8 @@ struct hearth::particle_traits<cold_gas> {
 TEST_CASE("needs: the union of what the terms read and write, each once") {
     static_assert(std::is_same_v<cold::needs::reads, quantities<quantity::radius, quantity::velocity>>);
     static_assert(std::is_same_v<cold::needs::writes, quantities<quantity::force>>);
-    static_assert(std::is_same_v<warm::needs::reads, quantities<quantity::radius, quantity::velocity, quantity::temperature>>);
+    static_assert(
+        std::is_same_v<warm::needs::reads, quantities<quantity::radius, quantity::velocity, quantity::temperature>>);
     static_assert(std::is_same_v<warm::needs::writes, quantities<quantity::force, quantity::heat_rate>>);
     static_assert(std::is_same_v<scene<>::needs::reads, quantities<>>);
 }

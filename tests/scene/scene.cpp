@@ -118,13 +118,14 @@ TEST_CASE("scene: explicit rates, implicit step and step limit read the same sta
     const double step = 1e-5 * limit;
     const constant_specific_heat<> caloric{1000};
     std::vector<particle_step<double>> taken;
-    const auto report = thermal_network().advance(list.pairs, baths, mass, [&](std::size_t) { return caloric; }, clock, step, t, taken);
+    const auto report = thermal_network().advance(
+        list.pairs, baths, mass, [&](std::size_t) { return caloric; }, clock, step, t, taken);
     REQUIRE(report.converged);
     double largest = 0;
+    for (std::size_t i = 0; i < count; ++i) largest = std::max(largest, std::fabs(200 * heat[i] + bed.heat_rate[i]));
     for (std::size_t i = 0; i < count; ++i)
-        largest = std::max(largest, std::fabs(200 * heat[i] + bed.heat_rate[i]));
-    for (std::size_t i = 0; i < count; ++i)
-        CHECK(taken[i].heat == doctest::Approx((200 * heat[i] + bed.heat_rate[i]) * step).epsilon(1e-4).scale(largest * step));
+        CHECK(taken[i].heat ==
+              doctest::Approx((200 * heat[i] + bed.heat_rate[i]) * step).epsilon(1e-4).scale(largest * step));
 
     // What particles gained is what gas, walls and surroundings gave, in the ledger and by the shares of the baths.
     double gained = 0, from_bath = 0, explicit_gain = 0;
@@ -174,8 +175,9 @@ TEST_CASE("scene: two spheres of different Gamma exchange by radiation and conta
     std::vector<heat_bath<double>> none(2);
     std::vector<particle_step<double>> taken;
     const constant_specific_heat<> caloric{1000};
-    (void)thermal_network().advance(list.pairs, none, mass, [&](std::size_t) { return caloric; },
-                                    tssm_per_particle(678.0, factors), 0.01, bed.temperature, taken);
+    (void)thermal_network().advance(
+        list.pairs, none, mass, [&](std::size_t) { return caloric; }, tssm_per_particle(678.0, factors), 0.01,
+        bed.temperature, taken);
     CHECK(taken[0].heat > 0);
     CHECK(taken[0].heat + taken[1].heat / 678 == doctest::Approx(0).scale(taken[0].heat).epsilon(1e-10));
 }
@@ -183,8 +185,9 @@ TEST_CASE("scene: two spheres of different Gamma exchange by radiation and conta
 TEST_CASE("scene: no particles, no exchange") {
     warm_bed bed(0);
     gas_samples gas(0);
-    const scene kiln{drag{closure::ergun{}}, convection{closure::gunn{}}, radiation{closure::feng_han::monte_carlo_fit{}},
-                     conduction{closure::zhang::constriction{}}, drying{closure::gunn{}}};
+    const scene kiln{drag{closure::ergun{}}, convection{closure::gunn{}},
+                     radiation{closure::feng_han::monte_carlo_fit{}}, conduction{closure::zhang::constriction{}},
+                     drying{closure::gunn{}}};
     const auto books = kiln.accumulate(bed, gas);
     CHECK(books[1].heat_from_gas == 0);
     const auto list = kiln.links(bed, bed, gas);

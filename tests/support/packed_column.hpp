@@ -16,19 +16,20 @@
 
 namespace hearth_test {
 
-/// A bed like that of the paper's Fig. 6, per square metre: glass of 10 mm at 300 K meets air of 400 K, void fraction 0.4.
-/// Air at 400 K (0.8825 kg/m^3, 1014 J/(kg K)), 0.5 m/s superficial; Gunn at Re 192: Nu 30.35, h = 100.5 W/(m^2 K).
+/// A bed like that of the paper's Fig. 6, per square metre: glass of 10 mm at 300 K meets air of 400 K, void fraction
+/// 0.4. Air at 400 K (0.8825 kg/m^3, 1014 J/(kg K)), 0.5 m/s superficial; Gunn at Re 192: Nu 30.35, h = 100.5 W/(m^2
+/// K).
 struct glass_bed {
     double void_fraction = 0.4;
     double gas_density = 0.8825, gas_heat = 1014;
-    double velocity = 0.5;                        ///< superficial [m/s]
-    double exchange = 100.5 * 6 * 0.6 / 0.010;    ///< h a [W/(m^3 K)]
+    double velocity = 0.5;                      ///< superficial [m/s]
+    double exchange = 100.5 * 6 * 0.6 / 0.010;  ///< h a [W/(m^3 K)]
     double solid_density = 2500, solid_heat = 840;
     double cold = 300, hot = 400;
 
-    double gas_storage() const { return void_fraction * gas_density * gas_heat; }             // [J/(m^3 K)]
-    double solid_storage() const { return (1 - void_fraction) * solid_density * solid_heat; } // [J/(m^3 K)]
-    double capacity_flow() const { return gas_density * velocity * gas_heat; }                // [W/(m^2 K)]
+    double gas_storage() const { return void_fraction * gas_density * gas_heat; }              // [J/(m^3 K)]
+    double solid_storage() const { return (1 - void_fraction) * solid_density * solid_heat; }  // [J/(m^3 K)]
+    double capacity_flow() const { return gas_density * velocity * gas_heat; }                 // [W/(m^2 K)]
     double interstitial_velocity() const { return velocity / void_fraction; }
     hearth::tssm_bed at(double x) const { return {gas_storage() / solid_storage(), exchange * x / capacity_flow()}; }
 
@@ -61,8 +62,7 @@ class packed_column {
             const double factor = clock_.factor(i);
             const hearth::through_flow<> cell(bed_.capacity_flow(), bed_.exchange * spacing_,
                                               clock_.gas_storage_factor() * gas_content / step, inlet, gas_[i]);
-            const auto taken =
-                hearth::etd2_secant::advance(solid_[i], mass, caloric, cell.bath(), factor * step);
+            const auto taken = hearth::etd2_secant::advance(solid_[i], mass, caloric, cell.bath(), factor * step);
             const auto gas = cell.settle(taken.heat / (factor * step));
             ledger_.particle(taken.heat, factor);
             ledger_.gas(gas_content * (gas.mean - gas_[i]));
@@ -106,7 +106,8 @@ double largest_error(const glass_bed& bed, const Clock& clock, double x, double 
     for (long n = 1; n <= steps; ++n) {
         column.advance(step);
         if (n % every != 0) continue;
-        worst = std::max(worst, std::fabs(column.solid_at(x) - bed.solid(x, static_cast<double>(n) * process_step - delay)));
+        worst = std::max(worst,
+                         std::fabs(column.solid_at(x) - bed.solid(x, static_cast<double>(n) * process_step - delay)));
     }
     return worst;
 }

@@ -20,16 +20,29 @@ struct warm_bed {
     std::vector<double> heat_rate, mass_rate;
     std::vector<std::array<double, 3>> force;
 
-    struct pair { int first, second; double distance; };
-    struct wall { int particle, patch; double distance; };
+    struct pair {
+        int first, second;
+        double distance;
+    };
+    struct wall {
+        int particle, patch;
+        double distance;
+    };
     std::vector<pair> near;   ///< to the largest cutoff that a test wants
     std::vector<wall> walls;  ///< the same, to walls
     std::vector<double> wall_temperatures;
-    double stiffness = 1e6;   ///< contact force over overlap [N/m]
+    double stiffness = 1e6;  ///< contact force over overlap [N/m]
 
     explicit warm_bed(std::size_t count)
-        : position(count), velocity(count), radius(count, 0.005), temperature(count, 300.0), conductivity(count, 2.0),
-          moisture(count, 0.0), heat_rate(count, 0.0), mass_rate(count, 0.0), force(count) {}
+        : position(count),
+          velocity(count),
+          radius(count, 0.005),
+          temperature(count, 300.0),
+          conductivity(count, 2.0),
+          moisture(count, 0.0),
+          heat_rate(count, 0.0),
+          mass_rate(count, 0.0),
+          force(count) {}
 
     /// From a packing whose unit is the mean diameter: particles of `diameter` [m], neighbours to `cutoff` diameters.
     /// Sides that are not periodic are walls, patch 2 a + (0 low, 1 high) on axis a, except open ones.
@@ -82,10 +95,21 @@ struct gas_samples {
 
     /// Air near 400 K that rises at 0.5 m/s through a bed of void fraction 0.4.
     explicit gas_samples(std::size_t count)
-        : void_fraction(count, 0.4), density(count, 0.8825), viscosity(count, 2.29e-5), conductivity(count, 0.0331),
-          specific_heat(count, 1014), temperature(count, 400), pressure(count, 101325), vapour(count, 0.005),
-          diffusivity(count, 4.5e-5), velocity(count, {0.0, 0.0, 1.25}), pressure_gradient(count, {0.0, 0.0, -400.0}),
-          heat_rate(count, 0.0), vapour_rate(count, 0.0), vapour_enthalpy_rate(count, 0.0), force(count) {}
+        : void_fraction(count, 0.4),
+          density(count, 0.8825),
+          viscosity(count, 2.29e-5),
+          conductivity(count, 0.0331),
+          specific_heat(count, 1014),
+          temperature(count, 400),
+          pressure(count, 101325),
+          vapour(count, 0.005),
+          diffusivity(count, 4.5e-5),
+          velocity(count, {0.0, 0.0, 1.25}),
+          pressure_gradient(count, {0.0, 0.0, -400.0}),
+          heat_rate(count, 0.0),
+          vapour_rate(count, 0.0),
+          vapour_enthalpy_rate(count, 0.0),
+          force(count) {}
 };
 
 }  // namespace hearth_test

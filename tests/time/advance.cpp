@@ -50,8 +50,9 @@ TEST_CASE("advance: bad input is named by place and index, and nothing changes")
         const double other = t[0];
         std::vector<particle_step<double>> taken;
         try {
-            advance(baths, mass, [&](std::size_t) { return constant_specific_heat<>{heat}; },
-                    tssm_per_particle(1.0, factors), step, t, taken);
+            advance(
+                baths, mass, [&](std::size_t) { return constant_specific_heat<>{heat}; },
+                tssm_per_particle(1.0, factors), step, t, taken);
             FAIL_CHECK("accepted");
         } catch (const bad_value& error) {
             CHECK(error.place == place);

@@ -156,7 +156,8 @@ TEST_CASE("gas exchange: tends to the exact exchange of one particle with one ce
         const double step = time / steps;
         for (int n = 0; n < steps; ++n) {
             exchange.prepare({conductance}, {gas}, mass, caloric_of, unsplit{}, step, t);
-            gas = (gas_capacity / step * gas + exchange.source()[0]) / (gas_capacity / step + exchange.coefficient()[0]);
+            gas =
+                (gas_capacity / step * gas + exchange.source()[0]) / (gas_capacity / step + exchange.coefficient()[0]);
             (void)exchange.finish({gas}, mass, caloric_of, unsplit{}, t, taken);
         }
         const double rate = conductance * (1 / capacity + 1 / gas_capacity);
@@ -175,9 +176,9 @@ TEST_CASE("gas exchange: bad input is named and changes nothing") {
         const std::vector<double> factors{1.0, factor};
         gas_exchange exchange;
         try {
-            exchange.prepare({0.1, conductance}, {400.0, gas}, std::vector<double>{1.0, mass},
-                             [&](std::size_t) { return constant_specific_heat<>{heat}; },
-                             tssm_per_particle(1.0, factors), step, t);
+            exchange.prepare(
+                {0.1, conductance}, {400.0, gas}, std::vector<double>{1.0, mass},
+                [&](std::size_t) { return constant_specific_heat<>{heat}; }, tssm_per_particle(1.0, factors), step, t);
             FAIL_CHECK("accepted");
         } catch (const bad_value& error) {
             CHECK(error.place == place);

@@ -54,8 +54,7 @@ TEST_CASE("limits: a particle and the gas of its cell, both explicit") {
     const double conductance = 0.0316, particle_capacity = 1.1;
     for (const double gas_capacity : {3.56e-7, 1e-3, 0.4})
         for (const double factor : {1.0, 678.0}) {
-            const double limit =
-                stable_step::particle_and_gas(conductance, particle_capacity, gas_capacity, factor);
+            const double limit = stable_step::particle_and_gas(conductance, particle_capacity, gas_capacity, factor);
             const double found = bisected(limit, [&](double step) {
                 double particle = 1, gas = 0;
                 for (int n = 0; n < many && std::fabs(gas - particle) < 10; ++n) {
@@ -102,7 +101,8 @@ TEST_CASE("limits: two bodies in contact or radiation, explicit") {
     const double rest = 2243, slope = link.conductance + 4 * link.radiation * std::pow(rest, 3);
     const double limit = stable_step::pair(slope, 9.0, 3.0, 200.0);
     const double found = bisected(limit, [&](double step) {
-        return network_grows({{0, 1, link}}, std::vector<heat_bath<double>>(2), {9.0 / 200, 3.0 / 200}, rest, step, many);
+        return network_grows({{0, 1, link}}, std::vector<heat_bath<double>>(2), {9.0 / 200, 3.0 / 200}, rest, step,
+                             many);
     });
     CHECK(found == doctest::Approx(limit).epsilon(fine));
 }
@@ -128,7 +128,8 @@ TEST_CASE("limits: a network's bound is safe, and sharp where particles fall int
             c[i] = random.log_uniform(0.1, 10);
             if (random.uniform(0, 1) < 0.3) baths[i].add(thermal_link<double>{random.uniform(0, 1), 1e-11}, 1200.0);
             for (int k = 0; k < 3 && i > 0; ++k)
-                pairs.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(random.index(i)),
+                pairs.push_back({static_cast<std::int32_t>(i),
+                                 static_cast<std::int32_t>(random.index(i)),
                                  {random.log_uniform(1e-3, 1), random.log_uniform(1e-13, 1e-10)}});
         }
         const double bound = stable_step::network(pairs, baths, c, t);
@@ -161,7 +162,8 @@ TEST_CASE("limits: drag, a contact's spring, transport, diffusion") {
             std::vector<double> a(16), b(16);
             for (std::size_t i = 0; i < 16; ++i) a[i] = i % 2 == 0 ? 1.0 : -1.0;
             for (int n = 0; n < 20000; ++n) {
-                for (std::size_t i = 0; i < 16; ++i) b[i] = a[i] + step * update(a[(i + 15) % 16], a[i], a[(i + 1) % 16]);
+                for (std::size_t i = 0; i < 16; ++i)
+                    b[i] = a[i] + step * update(a[(i + 15) % 16], a[i], a[(i + 1) % 16]);
                 a.swap(b);
                 if (std::fabs(a[0]) > 10) break;
             }
@@ -173,8 +175,9 @@ TEST_CASE("limits: drag, a contact's spring, transport, diffusion") {
         CHECK(bisected(advection, ring([s](double l, double c, double) { return 3.0 / (s * 0.01) * (l - c); })) ==
               doctest::Approx(advection).epsilon(fine));
         const double diffusion = stable_step::diffusion(0.01, 2e-5, 1, s);
-        CHECK(bisected(diffusion, ring([s](double l, double c, double r) { return 2e-5 / (s * 1e-4) * (l - 2 * c + r); })) ==
-              doctest::Approx(diffusion).epsilon(fine));
+        CHECK(bisected(diffusion, ring([s](double l, double c, double r) {
+                           return 2e-5 / (s * 1e-4) * (l - 2 * c + r);
+                       })) == doctest::Approx(diffusion).epsilon(fine));
     }
     CHECK(stable_step::advection(0.01, 3.0, 0.0) == 0.0);
     CHECK(stable_step::diffusion(0.01, 2e-5, 3) == doctest::Approx(stable_step::diffusion(0.01, 2e-5, 1) / 3));

@@ -91,7 +91,9 @@ void never_leaves_the_bounds() {
         const double t = random.uniform(250, 2600);
         double low = t, high = t;
         heat_bath<> bath;
-        struct partner { double k, r, t; };
+        struct partner {
+            double k, r, t;
+        };
         std::array<partner, 3> partners{};
         for (auto& p : partners) {
             p = {random.uniform(0, 1) < 0.7 ? random.log_uniform(1e-6, 10) : 0.0,
@@ -102,8 +104,8 @@ void never_leaves_the_bounds() {
         }
         const double mass = random.log_uniform(1e-9, 1), step = random.log_uniform(1e-9, 1e9);
         const bool curved = random.uniform(0, 1) < 0.5;
-        const auto done = curved ? Scheme::advance(t, mass, bent, bath, step)
-                                 : Scheme::advance(t, mass, plain, bath, step);
+        const auto done =
+            curved ? Scheme::advance(t, mass, bent, bath, step) : Scheme::advance(t, mass, plain, bath, step);
         const double room = 1e-9 * (high - low) + 1e-13 * high;  // the bar, and round-off where all are equal
         REQUIRE(done.temperature >= low - room);
         REQUIRE(done.temperature <= high + room);
@@ -112,8 +114,7 @@ void never_leaves_the_bounds() {
                                      : mass * (plain.enthalpy(done.temperature) - plain.enthalpy(t));
         REQUIRE(done.heat == gained);
         // Sums of a few terms: 16 round-offs of the largest.
-        const double largest =
-            std::fabs(done.heat) + std::fabs(done.conducted) + std::fabs(done.radiated);
+        const double largest = std::fabs(done.heat) + std::fabs(done.conducted) + std::fabs(done.radiated);
         if (bath.conductance + bath.radiation > 0)
             REQUIRE(std::fabs(done.conducted + done.radiated - done.heat) <= 16 * 2.3e-16 * largest);
         double given = 0, turnover = 0;
@@ -122,7 +123,8 @@ void never_leaves_the_bounds() {
             given += s;
             turnover += std::fabs(s) + step * (p.k * p.t + p.r * std::pow(p.t, 4)) * 1e-3;
         }
-        if (bath.conductance + bath.radiation > 0) REQUIRE(std::fabs(given - done.heat) <= 1e-12 * (turnover + largest));
+        if (bath.conductance + bath.radiation > 0)
+            REQUIRE(std::fabs(given - done.heat) <= 1e-12 * (turnover + largest));
     }
 }
 
@@ -178,8 +180,7 @@ TEST_CASE("particle energy: float serves") {
     heat_bath<double> exact_bath;
     exact_bath.add(conductive_link<double>{0.05}, 400.0);
     exact_bath.add(radiative_link<double>{5e-11}, 900.0);
-    const double exact =
-        etd2_secant::advance(300.0, 3e-3, constant_specific_heat<>{840}, exact_bath, 20.0).temperature;
+    const double exact = etd2_secant::advance(300.0, 3e-3, constant_specific_heat<>{840}, exact_bath, 20.0).temperature;
     CHECK(static_cast<double>(etd2_secant::advance(300.0f, 3e-3f, caloric, bath, 20.0f).temperature) ==
           doctest::Approx(exact).epsilon(2e-6));  // some tens of float round-offs of 6e-8
 }

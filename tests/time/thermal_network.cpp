@@ -67,7 +67,8 @@ network random_network(std::uint64_t seed, bool closed) {
     return n;
 }
 
-/// What the step left unaccounted for, over what it moved: the sum over particles of heat / Gamma less what the baths gave.
+/// What the step left unaccounted for, over what it moved: the sum over particles of heat / Gamma less what the baths
+/// gave.
 template <class CaloricOf>
 double imbalance(const network& before, const std::vector<particle_step<double>>& taken, const CaloricOf& caloric_of) {
     long double gained = 0, given = 0, turnover = 0, rounding = 0;
@@ -127,8 +128,8 @@ TEST_CASE("thermal network: two spheres meet at the mean of their heat, each at 
         thermal_network().advance(pairs, baths, mass, caloric_of, tssm_per_particle(678.0, factor), 1e9, t, taken);
         return t;
     };
-    // Backward Euler leaves 1/(1 + rate step) of the gap of 800 K; rate step is at least 0.02 (1/1 + 678/3) 1e9 = 4.5e9.
-    // m c / Gamma weighs: (2*400 + 6*1200)/8 = 1000, and (2/1*400 + 6/678*1200)/(2/1 + 6/678).
+    // Backward Euler leaves 1/(1 + rate step) of the gap of 800 K; rate step is at least 0.02 (1/1 + 678/3) 1e9
+    // = 4.5e9. m c / Gamma weighs: (2*400 + 6*1200)/8 = 1000, and (2/1*400 + 6/678*1200)/(2/1 + 6/678).
     for (const double t : meet({678.0, 678.0})) CHECK(t == doctest::Approx(1000).epsilon(1e-9));
     for (const double t : meet({1.0, 678.0}))
         CHECK(t == doctest::Approx((2 * 400 + 6.0 / 678 * 1200) / (2 + 6.0 / 678)).epsilon(1e-9));
@@ -148,11 +149,13 @@ TEST_CASE("thermal network: one pass satisfies the linear equations of a chain")
     const double step = 30;
     std::vector<double> t = n.temperature;
     std::vector<particle_step<double>> taken;
-    thermal_network().advance(n.pairs, n.baths, n.mass, [&](std::size_t) { return caloric; }, tssm(200.0), step, t, taken);
+    thermal_network().advance(
+        n.pairs, n.baths, n.mass, [&](std::size_t) { return caloric; }, tssm(200.0), step, t, taken);
     for (std::size_t i = 0; i < 40; ++i) {
         double rate = i == 0 ? 0.3 * (1500 - t[0]) : 0.0, size = 0.3 * 1500;
         for (const auto& pair : n.pairs) {
-            const double flow = pair.link.conductance * (t[static_cast<std::size_t>(pair.second)] - t[static_cast<std::size_t>(pair.first)]);
+            const double flow = pair.link.conductance *
+                                (t[static_cast<std::size_t>(pair.second)] - t[static_cast<std::size_t>(pair.first)]);
             if (pair.first == static_cast<int>(i)) rate += flow;
             if (pair.second == static_cast<int>(i)) rate -= flow;
         }
@@ -181,7 +184,8 @@ std::vector<double> march(const network& n, double time, double step, int passes
     std::vector<double> t = n.temperature;
     std::vector<particle_step<double>> taken;
     for (int k = 0; k < static_cast<int>(time / step + 0.5); ++k)
-        solver.advance(n.pairs, n.baths, n.mass, [&](std::size_t) { return caloric; }, unsplit{}, step, t, taken);
+        solver.advance(
+            n.pairs, n.baths, n.mass, [&](std::size_t) { return caloric; }, unsplit{}, step, t, taken);
     return t;
 }
 
@@ -215,8 +219,8 @@ TEST_CASE("thermal network: the same input gives the same bits, also from a used
     std::vector<particle_step<double>> taken;
     thermal_network fresh, used;
     std::vector<double> a = n.temperature, b = n.temperature, other(3, 400.0);
-    used.advance(std::vector<thermal_pair>{{0, 2, {0.1, 0.0}}}, std::vector<heat_bath<double>>(3), std::vector<double>(3, 1.0), caloric_of,
-                 unsplit{}, 1.0, other, taken);
+    used.advance(std::vector<thermal_pair>{{0, 2, {0.1, 0.0}}}, std::vector<heat_bath<double>>(3),
+                 std::vector<double>(3, 1.0), caloric_of, unsplit{}, 1.0, other, taken);
     fresh.advance(n.pairs, n.baths, n.mass, caloric_of, tssm(50.0), 3.0, a, taken);
     used.advance(n.pairs, n.baths, n.mass, caloric_of, tssm(50.0), 3.0, b, taken);
     CHECK(a == b);
@@ -252,9 +256,10 @@ TEST_CASE("thermal network: bad input is named and changes nothing") {
         input copy = in;
         std::vector<particle_step<double>> taken{{1, 2, 3, 4}};
         try {
-            thermal_network().advance(copy.pairs, copy.baths, copy.mass,
-                                      [&](std::size_t) { return constant_specific_heat<>{in.specific_heat}; },
-                                      tssm_per_particle(1.0, copy.factor), copy.step, copy.temperature, taken);
+            thermal_network().advance(
+                copy.pairs, copy.baths, copy.mass,
+                [&](std::size_t) { return constant_specific_heat<>{in.specific_heat}; },
+                tssm_per_particle(1.0, copy.factor), copy.step, copy.temperature, taken);
             FAIL_CHECK("accepted");
         } catch (const bad_value& error) {
             CHECK(error.place == place);

@@ -55,7 +55,8 @@ TEST_CASE("through flow: bounded and conservative from no transfer units to a mi
         const double storage = random.uniform(0, 1) < 0.3 ? 0.0 : flow * random.log_uniform(1e-12, 1e6);
         const double inlet = random.uniform(300, 2000), before = random.uniform(300, 2000);
         const double solid = random.uniform(300, 2000), step = random.log_uniform(1e-9, 1e9);
-        const double low = std::fmin(inlet, std::fmin(before, solid)), high = std::fmax(inlet, std::fmax(before, solid));
+        const double low = std::fmin(inlet, std::fmin(before, solid)),
+                     high = std::fmax(inlet, std::fmax(before, solid));
         const double room = 1e-9 * (high - low);
         const through_flow<> cell(flow, ha, storage, inlet, before);
         // Below a millionth of exchange in a step, the round-off of the particle's enthalpy is what the gas would feel.

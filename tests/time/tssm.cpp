@@ -43,8 +43,8 @@ TEST_CASE("tssm: the clocks say what carries Gamma") {
 }
 
 TEST_CASE("tssm: a Gamma below 1 is refused by name") {
-    for (const double bad : {0.999, 0.0, -678.0, std::numeric_limits<double>::quiet_NaN(),
-                             std::numeric_limits<double>::infinity()}) {
+    for (const double bad :
+         {0.999, 0.0, -678.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         try {
             tssm clock(bad);
             FAIL_CHECK("accepted");
@@ -141,8 +141,9 @@ TEST_CASE("acceleration switch: settings without hysteresis are refused") {
     CHECK_THROWS_AS(acceleration_switch(678.0, settings{2, 0, 0}), bad_value);
 }
 
-// A gas of constant density in a column of 100 cells, 10 mm each, with a slab of bed (solid fraction 0.6, cells 60 to 80)
-// that the model moves down at Gamma times 1 mm/s.  Continuity with the clock's storage factor gives the gas's volume flux.
+// A gas of constant density in a column of 100 cells, 10 mm each, with a slab of bed (solid fraction 0.6, cells 60 to
+// 80) that the model moves down at Gamma times 1 mm/s.  Continuity with the clock's storage factor gives the gas's
+// volume flux.
 struct falling_bed {
     double gamma;
     double true_speed = 1e-3, top = 0.8, bottom = 0.6, solid = 0.6;

@@ -111,7 +111,8 @@ TEST_CASE("tssm error: a quasi-steady gas with the exponential update is within 
 TEST_CASE("tssm error: an error grows with Gamma and with the distance from the entrance") {
     const glass_bed bed;
     for (const double gamma : {10.0, 200.0, 678.0}) {
-        CHECK(tssm_error(gamma, gas_storage::paper, bed.at(0.02)) < tssm_error(gamma, gas_storage::paper, bed.at(0.05)));
+        CHECK(tssm_error(gamma, gas_storage::paper, bed.at(0.02)) <
+              tssm_error(gamma, gas_storage::paper, bed.at(0.05)));
         CHECK(tssm_error(gamma, gas_storage::paper, bed.at(0.05)) < tssm_error(gamma, gas_storage::paper, bed.at(0.1)));
         CHECK(tssm_error(gamma, gas_storage::corrected, bed.at(0.1)) < 1e-12);
     }

@@ -96,7 +96,8 @@ TEST_CASE("conduction: one list holds contacts and films, and what one side lose
     const auto list = s.links(bed, bed, gas);
     CHECK(list.pairs.size() > bed.radius.size());
     std::vector<double> heat(bed.radius.size(), 0.0);
-    const auto ledger = accumulate(list, bed.temperature, [&](int patch) { return bed.wall_temperatures[warm_bed::at(patch)]; }, heat);
+    const auto ledger = accumulate(
+        list, bed.temperature, [&](int patch) { return bed.wall_temperatures[warm_bed::at(patch)]; }, heat);
     double sum = 0;
     for (const double q : heat) sum += q;
     CHECK(ledger.between > 0);

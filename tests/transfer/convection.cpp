@@ -18,8 +18,8 @@ namespace {
 
 constexpr double pi = constants<double>::pi();
 
-// One particle of 10 mm in gas of void fraction 0.4, Pr 0.7 and Re 100 on the superficial slip: Gunn's Nu is 22.26700004
-// (evaluated in 30 digits).
+// One particle of 10 mm in gas of void fraction 0.4, Pr 0.7 and Re 100 on the superficial slip: Gunn's Nu
+// is 22.26700004 (evaluated in 30 digits).
 struct at_reynolds_100 {
     warm_bed bed{1};
     gas_samples gas{1};

@@ -20,11 +20,12 @@ TEST_CASE("drag: a resting bed takes Ergun's pressure drop, by drag and by its s
     gas_samples gas(1);
     // Ergun by hand: d 10 mm, e 0.4, U = 0.5 m/s.
     const double e = 0.4, d = 0.01, U = 0.5, mu = gas.viscosity[0], rho = gas.density[0];
-    const double gradient = 150 * (1 - e) * (1 - e) * mu * U / (e * e * e * d * d) + 1.75 * (1 - e) * rho * U * U / (e * e * e * d);
+    const double gradient =
+        150 * (1 - e) * (1 - e) * mu * U / (e * e * e * d * d) + 1.75 * (1 - e) * rho * U * U / (e * e * e * d);
     gas.pressure_gradient[0] = {0, 0, -gradient};
     const auto books = scene{drag{closure::ergun{}}}.accumulate(bed, gas);
-    // Gas at steady flow: -e grad p = n V-mean drag; a volume of bed holds (1-e)/V_p particles.  All of the pressure drop
-    // ends on the particles: F (1-e)/V_p = -grad p.
+    // Gas at steady flow: -e grad p = n V-mean drag; a volume of bed holds (1-e)/V_p particles.  All of the pressure
+    // drop ends on the particles: F (1-e)/V_p = -grad p.
     const double volume = 3.14159265358979 / 6 * d * d * d;
     CHECK(bed.force[0][2] * (1 - e) / volume == doctest::Approx(gradient).epsilon(1e-12));
     CHECK(-gas.force[0][2] * (1 - e) / volume == doctest::Approx(e * gradient).epsilon(1e-12));

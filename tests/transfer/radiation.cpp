@@ -33,8 +33,8 @@ scene<radiation<closure::feng_han::monte_carlo_fit>> radiating(radiation_params 
     return scene{radiation{closure::feng_han::monte_carlo_fit{settings.solid_fraction}, settings}};
 }
 
-/// Radiative conductivity over 4 sigma d T^3 that a list gives a bed: sum over pairs of A F s^2 over the solid's surface,
-/// times the solid fraction; the same sum as behind the reference 1.04 at 0.593 and 1.007 at 0.618.
+/// Radiative conductivity over 4 sigma d T^3 that a list gives a bed: sum over pairs of A F s^2 over the solid's
+/// surface, times the solid fraction; the same sum as behind the reference 1.04 at 0.593 and 1.007 at 0.618.
 template <class Link>
 double exchange_factor(const warm_bed& bed, const link_list<Link>& links, double solid_fraction) {
     double sum = 0, surface = 0;
@@ -67,7 +67,8 @@ TEST_CASE("radiation: a list to 2.5 diameters conducts what the full list would,
 
     REQUIRE(list.views.size() == 1);
     const view_report& rows = list.views[0];
-    MESSAGE("rows: mean " << rows.row_mean << ", " << rows.row_least << " to " << rows.row_largest << ", scale " << rows.scale);
+    MESSAGE("rows: mean " << rows.row_mean << ", " << rows.row_least << " to " << rows.row_largest << ", scale "
+                          << rows.scale);
     CHECK(rows.scale > 1.04);
     CHECK(rows.scale < 1.14);
     CHECK(rows.row_mean > 1.03);
@@ -128,13 +129,15 @@ TEST_CASE("radiation: what one side loses the other gains, and nothing flows bet
     const auto list = radiating().links(bed, bed);
     std::vector<double> heat(bed.radius.size(), 0.0);
     std::vector<double> t(heat.size(), 1234.5);
-    auto ledger = accumulate(list, t, [](int) { return 0.0; }, heat);
+    auto ledger = accumulate(
+        list, t, [](int) { return 0.0; }, heat);
     CHECK(ledger.between == 0);
     CHECK(std::all_of(heat.begin(), heat.end(), [](double q) { return q == 0; }));
 
     seeded random(9);
     for (double& value : t) value = random.uniform(300, 2500);
-    ledger = accumulate(list, t, [](int) { return 0.0; }, heat);
+    ledger = accumulate(
+        list, t, [](int) { return 0.0; }, heat);
     // Each pair adds q and -q: round-off of some hundred thousand sums.
     CHECK(std::fabs(std::accumulate(heat.begin(), heat.end(), 0.0)) < 1e-13 * ledger.between);
     CHECK(ledger.between > 0);

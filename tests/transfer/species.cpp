@@ -38,19 +38,23 @@ TEST_CASE("drying: the particle loses Gamma times what the gas gains, and pays t
     const double latent = water_term.vapour_enthalpy(300) - water_term.liquid_enthalpy(300);
     CHECK(latent == doctest::Approx(2.4376e6).epsilon(1e-3));  // steam tables at 300 K
     CHECK(bed.heat_rate[0] == doctest::Approx(200 * (-gas.heat_rate[0] - gas.vapour_rate[0] * latent)).epsilon(1e-12));
-    CHECK(gas.vapour_enthalpy_rate[0] == doctest::Approx(gas.vapour_rate[0] * water_term.vapour_enthalpy(300)).epsilon(1e-12));
+    CHECK(gas.vapour_enthalpy_rate[0] ==
+          doctest::Approx(gas.vapour_rate[0] * water_term.vapour_enthalpy(300)).epsilon(1e-12));
 }
 
 /// The bath and the film of particle i at its present place.
 template <class Clock>
-drying_result<> dry(const warm_bed& bed, const gas_samples& gas, int i, double dry_mass, double step, const Clock& clock) {
+drying_result<> dry(const warm_bed& bed, const gas_samples& gas, int i, double dry_mass, double step,
+                    const Clock& clock) {
     const view<warm_bed> p(bed, i);
     const view<gas_samples> g(gas, i);
     heat_bath<> bath;
-    bath.add(static_cast<const convection<closure::gunn>&>(convection{closure::gunn{}}).gas_link(p, g, clock), gas.temperature[warm_bed::at(i)]);
+    bath.add(static_cast<const convection<closure::gunn>&>(convection{closure::gunn{}}).gas_link(p, g, clock),
+             gas.temperature[warm_bed::at(i)]);
     const auto film = water_term.gas_film(p, g, clock);
-    return drying_step(bed.temperature[warm_bed::at(i)], dry_mass, bed.moisture[warm_bed::at(i)], constant_specific_heat<>{840},
-                       water_term, bath, [&](double t) { return film.rate(t); }, step);
+    return drying_step(
+        bed.temperature[warm_bed::at(i)], dry_mass, bed.moisture[warm_bed::at(i)], constant_specific_heat<>{840},
+        water_term, bath, [&](double t) { return film.rate(t); }, step);
 }
 
 TEST_CASE("drying: a wet particle comes to the wet-bulb temperature, where heat supplied is heat of evaporation") {
@@ -89,12 +93,14 @@ TEST_CASE("drying: bounded, never below no water, and balanced, for any step and
         const auto content = [&](double t, double w) { return 1e-3 * 840 * t + w * water_term.liquid_enthalpy(t); };
         const double gained = content(after.temperature, after.moisture) - content(before, water);
         const double given = after.conducted + after.radiated - after.vapour_enthalpy;
-        REQUIRE(std::fabs(gained - given) <= 1e-12 * (content(2200, water) + std::fabs(after.vapour_enthalpy) + std::fabs(after.conducted)));
+        REQUIRE(std::fabs(gained - given) <=
+                1e-12 * (content(2200, water) + std::fabs(after.vapour_enthalpy) + std::fabs(after.conducted)));
         // The equation itself: the heat booked is what the bath gives at the final temperature.
         std::vector<double> conductance;
         wet.gas_conductances(bed, gas, conductance);
         const double rate = conductance[0] * (gas.temperature[0] - after.temperature);
-        REQUIRE(std::fabs(after.conducted - rate * step) <= 1e-9 * (std::fabs(rate) * step + content(2200, water)) + step * conductance[0] * 1e-9 * after.temperature);
+        REQUIRE(std::fabs(after.conducted - rate * step) <= 1e-9 * (std::fabs(rate) * step + content(2200, water)) +
+                                                                step * conductance[0] * 1e-9 * after.temperature);
     }
 }
 

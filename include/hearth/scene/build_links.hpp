@@ -66,8 +66,8 @@ inline void summarise(const std::vector<view_row>& rows, view_report& report) {
 }
 
 /// Makes the radiation of one term: pairs to the cutoff, walls, open views, rows as the term wants them.
-/// Pairs of which only the first particle is owned (j >= count) are for the caller's list alone if j is a ghost that the
-/// cloud can be asked for.
+/// Pairs of which only the first particle is owned (j >= count) are for the caller's list alone if j is a ghost that
+/// the cloud can be asked for.
 template <class Term, class Cloud, class Contacts, class Pair, class Wall>
 view_report build_radiation(const Term& term, const Cloud& cloud, const Contacts& contacts, std::vector<Pair>& pairs,
                             std::vector<Wall>& walls, std::vector<linked_surroundings>& surroundings) {
@@ -116,12 +116,14 @@ view_report build_radiation(const Term& term, const Cloud& cloud, const Contacts
     // A particle that misses more of its view than the scatter inside a bed explains looks out of the bed.
     const bed_view inside = bed_view::within(term.params.cutoff, term.params.solid_fraction);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        // A wall view for touching particles lets them stand for the others beside the wall, which are not open for that.
+        // A wall view for touching particles lets them stand for the others beside the wall, which are not open for
+        // that.
         const double behind = rows[i].beside_wall ? std::max(rows[i].walls, term.behind_wall()) : 0.0;
         const double missing = 1.0 - behind - rows[i].pairs / inside.seen;
         if (!(missing > term.params.open_from)) continue;
         rows[i].open = missing;
-        surroundings.push_back({static_cast<std::int32_t>(i), term.params.surroundings,
+        surroundings.push_back({static_cast<std::int32_t>(i),
+                                term.params.surroundings,
                                 {emission * missing * term.surface(at(static_cast<std::int64_t>(i)))}});
     }
 

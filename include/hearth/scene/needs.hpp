@@ -19,15 +19,20 @@ inline constexpr bool is_among_v<Tag, quantities<Tags...>> = (std::is_same_v<Tag
 
 /// Appends the tags of the second list that the first lacks.
 template <class Known, class More>
-struct merged { using type = Known; };
+struct merged {
+    using type = Known;
+};
 template <class... Known, class Tag, class... More>
 struct merged<quantities<Known...>, quantities<Tag, More...>> {
-    using next = std::conditional_t<is_among_v<Tag, quantities<Known...>>, quantities<Known...>, quantities<Known..., Tag>>;
+    using next =
+        std::conditional_t<is_among_v<Tag, quantities<Known...>>, quantities<Known...>, quantities<Known..., Tag>>;
     using type = typename merged<next, quantities<More...>>::type;
 };
 
 template <class... Lists>
-struct merged_all { using type = quantities<>; };
+struct merged_all {
+    using type = quantities<>;
+};
 template <class First, class... Rest>
 struct merged_all<First, Rest...> {
     using type = typename merged<First, typename merged_all<Rest...>::type>::type;
@@ -40,19 +45,13 @@ using value_of = std::conditional_t<std::is_same_v<Tag, quantity::force> || std:
 /// One error, and its context names the quantity.
 template <class Tag, bool Present>
 struct host_gives {
-    static_assert(Present, "hearth: the scene reads a quantity that the host's particle_traits do not give: see Tag in "
-                           "host_gives<Tag, false>");
+    static_assert(Present, "hearth: the scene reads a quantity that the host lacks: see Tag in host_gives<Tag, false>");
 };
 template <class Tag, bool Present>
 struct host_takes {
-    static_assert(Present, "hearth: the scene adds a rate that the host's particle_traits do not take: see Tag in "
-                           "host_takes<Tag, false>");
+    static_assert(Present,
+                  "hearth: the scene adds a rate that the host does not take: see Tag in host_takes<Tag, false>");
 };
-
-template <class... Tags>
-struct first_of { using type = void; };
-template <class Tag, class... Tags>
-struct first_of<Tag, Tags...> { using type = Tag; };
 
 template <class Host, class... Tags>
 constexpr bool gives(quantities<Tags...>) {

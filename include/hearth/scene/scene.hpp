@@ -25,11 +25,11 @@ struct no_gas {};
 
 /// What one term exchanged with the gas in one evaluation, once (not times Gamma): what particles gained, the gas lost.
 struct term_ledger {
-    double heat_from_gas = 0.0;                    ///< [W]
-    std::array<double, 3> force_from_gas{};        ///< drag, without the pressure's share [N]
-    std::array<double, 3> force_from_pressure{};   ///< [N]
-    double vapour_to_gas = 0.0;                    ///< [kg/s]
-    double vapour_enthalpy_to_gas = 0.0;           ///< [W]
+    double heat_from_gas = 0.0;                   ///< [W]
+    std::array<double, 3> force_from_gas{};       ///< drag, without the pressure's share [N]
+    std::array<double, 3> force_from_pressure{};  ///< [N]
+    double vapour_to_gas = 0.0;                   ///< [kg/s]
+    double vapour_enthalpy_to_gas = 0.0;          ///< [W]
 };
 
 namespace detail {
@@ -55,7 +55,9 @@ struct scene_terms<std::index_sequence<I...>, Terms...> : indexed<I, Terms>... {
   private:
     template <act Kind, std::size_t K, class Term, class Visit>
     constexpr void call(Visit&& visit) const {
-        if constexpr (has_act<Term>(Kind)) visit(std::integral_constant<std::size_t, K>{}, static_cast<const Term&>(static_cast<const indexed<K, Term>&>(*this)));
+        if constexpr (has_act<Term>(Kind))
+            visit(std::integral_constant<std::size_t, K>{},
+                  static_cast<const Term&>(static_cast<const indexed<K, Term>&>(*this)));
     }
 };
 
@@ -95,8 +97,9 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
 
     constexpr explicit scene(Terms... terms) : base(std::move(terms)...) {}
 
-    /// Adds to each particle and to the gas at it what they exchange: heat and water times Gamma into the particle and once
-    /// into the gas, forces once.  One loop over particles for all terms.  Returns a ledger per term, in their order.
+    /// Adds to each particle and to the gas at it what they exchange: heat and water times Gamma into the particle and
+    /// once into the gas, forces once.  One loop over particles for all terms.  Returns a ledger per term, in their
+    /// order.
     template <class Cloud, class Gas, class Clock = unsplit>
     ledger accumulate(Cloud& cloud, Gas& gas, const Clock& clock = {}) const {
         needs::template require<Cloud, Gas>();
@@ -114,8 +117,9 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
                 if constexpr (has(act::gas_heat)) {
                     double heat = 0.0;
                     this->template for_each<act::gas_heat>([&](auto number, const auto& term) {
-                        const double q = term.gas_link(p, g, clock).heat(static_cast<double>(p[quantity::temperature{}]),
-                                                                        static_cast<double>(g[quantity::gas_temperature{}]));
+                        const double q = term.gas_link(p, g, clock)
+                                             .heat(static_cast<double>(p[quantity::temperature{}]),
+                                                   static_cast<double>(g[quantity::gas_temperature{}]));
                         heat += q;
                         books[number].heat_from_gas += q;
                     });
@@ -177,6 +181,14 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
     template <class Cloud, class Contacts, class Gas = no_gas>
     link_list<link> links(const Cloud& cloud, const Contacts& contacts, const Gas& gas = {}) const {
         link_list<link> list;
+        links(cloud, contacts, gas, list);
+        return list;
+    }
+
+    /// The same into a list whose memory is used again.
+    template <class Cloud, class Contacts, class Gas>
+    void links(const Cloud& cloud, const Contacts& contacts, const Gas& gas, link_list<link>& list) const {
+        list.clear();
         using index = particle_index_t<Cloud>;
         const auto particle = [&](auto i) { return view<Cloud>(cloud, static_cast<index>(i)); };
         const auto gas_at = [&](auto i) { return view<Gas>(gas, static_cast<particle_index_t<Gas>>(i)); };
@@ -185,11 +197,13 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
                 add_pair(list, i, j, term.contact_link(particle(i), particle(j), gas_at(i), gas_at(j), touch));
             });
             if constexpr (has_wall_contacts_v<Contacts>) {
-                detail::contacts_of<Contacts>::for_each_wall_contact(contacts, [&](auto i, auto patch, const contact& touch) {
-                    const auto made = term.wall_contact_link(particle(i), gas_at(i), touch);
-                    if (made.conductance > 0.0)
-                        list.walls.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(patch), narrowed(made)});
-                });
+                detail::contacts_of<Contacts>::for_each_wall_contact(
+                    contacts, [&](auto i, auto patch, const contact& touch) {
+                        const auto made = term.wall_contact_link(particle(i), gas_at(i), touch);
+                        if (made.conductance > 0.0)
+                            list.walls.push_back(
+                                {static_cast<std::int32_t>(i), static_cast<std::int32_t>(patch), narrowed(made)});
+                    });
             }
         });
         this->template for_each<act::nearby>([&](auto, const auto& term) {
@@ -198,9 +212,9 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
             });
         });
         this->template for_each<act::views>([&](auto, const auto& term) {
-            list.views.push_back(detail::build_radiation(term, cloud, contacts, list.pairs, list.walls, list.surroundings));
+            list.views.push_back(
+                detail::build_radiation(term, cloud, contacts, list.pairs, list.walls, list.surroundings));
         });
-        return list;
     }
 
     /// Bath of each particle: gas, walls and open views at their present temperatures, for the integrators of time/.
@@ -216,7 +230,8 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
             for (index i = 0; i < count; ++i) {
                 const auto k = static_cast<std::size_t>(i);
                 const view<Gas> g(gas, static_cast<particle_index_t<Gas>>(i));
-                result[k].add(conductive_link<double>{conductance[k]}, static_cast<double>(g[quantity::gas_temperature{}]));
+                result[k].add(conductive_link<double>{conductance[k]},
+                              static_cast<double>(g[quantity::gas_temperature{}]));
             }
         }
         if constexpr (has_wall_temperature_v<Contacts>)
@@ -228,8 +243,8 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
         return result;
     }
 
-    /// Largest stable step of the explicit exchange of heat with baths and pairs, by the model's clock [s]; gas and walls
-    /// held (a gas that is explicit too: stable_step::particle_and_gas).  capacity[i] = m c_p [J/K].
+    /// Largest stable step of the explicit exchange of heat with baths and pairs, by the model's clock [s]; gas and
+    /// walls held (a gas that is explicit too: stable_step::particle_and_gas).  capacity[i] = m c_p [J/K].
     template <class Clock = unsplit>
     static double largest_step(const link_list<link>& list, const std::vector<heat_bath<double>>& baths,
                                std::vector<double> capacity, const std::vector<double>& temperature,
@@ -242,9 +257,12 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
     template <class Link>
     static link narrowed(const Link& made) {
         const thermal_link<double> wide = widened(made);
-        if constexpr (std::is_same_v<link, thermal_link<double>>) return wide;
-        else if constexpr (std::is_same_v<link, radiative_link<double>>) return {wide.radiation};
-        else return {wide.conductance};
+        if constexpr (std::is_same_v<link, thermal_link<double>>)
+            return wide;
+        else if constexpr (std::is_same_v<link, radiative_link<double>>)
+            return {wide.radiation};
+        else
+            return {wide.conductance};
     }
 
     template <class I, class J, class Link>
@@ -254,6 +272,7 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
     }
 };
 
-template <class... Terms> scene(Terms...) -> scene<Terms...>;
+template <class... Terms>
+scene(Terms...) -> scene<Terms...>;
 
 }  // namespace hearth

@@ -9,13 +9,14 @@
 
 namespace hearth {
 
-/// Gives each particle its Gamma: that of the bed while it rests on others, 1 while it flies.  A particle in flight moves
-/// at its true speed, so at Gamma 678 one metre of fall would give it 98.6 % of the gas's lead in temperature instead of
-/// 0.6 %.
+/// Gives each particle its Gamma: that of the bed while it rests on others, 1 while it flies.  A particle in flight
+/// moves at its true speed, so at Gamma 678 one metre of fall would give it 98.6 % of the gas's lead in temperature
+/// instead of 0.6 %.
 ///
 /// Hysteresis on the number of contacts: a particle settles after `patience` updates in a row with at least
-/// `contacts_to_settle`, and takes off after as many with at most `contacts_to_leave`.  So neither a collision in the air
-/// nor one that rattles in the bed switches it.  The switch changes no temperature, mass or composition: it injects nothing.
+/// `contacts_to_settle`, and takes off after as many with at most `contacts_to_leave`.  So neither a collision in the
+/// air nor one that rattles in the bed switches it.  The switch changes no temperature, mass or composition: it injects
+/// nothing.
 class acceleration_switch {
   public:
     struct params {

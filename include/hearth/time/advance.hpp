@@ -25,8 +25,7 @@ inline void require_bath(const heat_bath<double>& bath, std::int64_t index) {
     require_not_negative("bath conductance times temperature of particle", index, bath.conductance_times_t,
                          "finite and >= 0 [W]");
     require_not_negative("bath radiation of particle", index, bath.radiation, "finite and >= 0 [W/K^4]");
-    require_not_negative("bath radiation times T^4 of particle", index, bath.radiation_times_t4,
-                         "finite and >= 0 [W]");
+    require_not_negative("bath radiation times T^4 of particle", index, bath.radiation_times_t4, "finite and >= 0 [W]");
 }
 
 /// What every step of many particles asks of its input.

@@ -49,9 +49,13 @@ struct polynomial_specific_heat {
         Real low = Real(0), high = Real(0);  // 0: not known yet
         for (int pass = 0; pass < 200; ++pass) {
             const Real excess = primitive(t) - wanted;
-            if (excess > Real(0)) high = t; else low = t;
+            if (excess > Real(0))
+                high = t;
+            else
+                low = t;
             Real next = t - excess / specific_heat(t);
-            // Outside of what is known the slope misled: halve what is known, or double or halve where one side is open.
+            // Outside of what is known the slope misled: halve what is known, or double or halve where one side is
+            // open.
             if (!(next > low)) next = high > Real(0) ? (low + high) / Real(2) : t * Real(2);
             if (high > Real(0) && !(next < high)) next = (low + high) / Real(2);
             const Real change = std::fabs(next - t);

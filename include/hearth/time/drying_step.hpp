@@ -23,9 +23,10 @@ struct drying_result {
 ///
 ///     m (h(T) - h(T0)) + w (l(T) - l(T0)) + e L(T) = step * (heat rate of the bath at T),   e = min(w, step * rate(T))
 ///
-/// m: dry mass, w: water before; h, l: enthalpies of the dry material and of liquid water; L: latent heat.  All terms rise
-/// with T, so the root is single and a bracket always finds it, at any step and through the boiling point, where rate(T)
-/// climbs steeply and the heat supply decides.  The energy balance closes to round-off: booked from the enthalpies.
+/// m: dry mass, w: water before; h, l: enthalpies of the dry material and of liquid water; L: latent heat.  All terms
+/// rise with T, so the root is single and a bracket always finds it, at any step and through the boiling point, where
+/// rate(T) climbs steeply and the heat supply decides.  The energy balance closes to round-off: booked from the
+/// enthalpies.
 ///
 /// Water: liquid_enthalpy(T) and vapour_enthalpy(T) [J/kg], e.g. the drying term.  rate(T) [kg/s] does not fall with T.
 /// step is in the particle's own time [s].
@@ -46,8 +47,7 @@ HEARTH_FUNCTION drying_result<Real> drying_step(Real t, Real dry_mass, Real mois
     };
     const auto excess = [&](Real at) {
         const detail::linear_bath<Real> pull(bath, at, at);
-        return need(at) -
-               step * (pull.conductance * (pull.conductive - at) + pull.radiation * (pull.radiative - at));
+        return need(at) - step * (pull.conductance * (pull.conductive - at) + pull.radiation * (pull.radiative - at));
     };
 
     // A bracket: from where the particle is, geometrically to both sides.
@@ -65,8 +65,8 @@ HEARTH_FUNCTION drying_result<Real> drying_step(Real t, Real dry_mass, Real mois
     Real root = low_excess == Real(0) ? low : high;
     int kept = 0;
     for (int k = 0; k < 200 && low_excess < Real(0) && high_excess > Real(0); ++k) {
-        Real trial = k % 8 == 7 ? (low + high) / Real(2)
-                                : low + (high - low) * (low_excess / (low_excess - high_excess));
+        Real trial =
+            k % 8 == 7 ? (low + high) / Real(2) : low + (high - low) * (low_excess / (low_excess - high_excess));
         if (!(trial > low && trial < high)) trial = low + (high - low) / Real(2);
         root = trial;
         if (trial == low || trial == high) break;

@@ -18,8 +18,9 @@ namespace hearth {
 /// any step, with no iteration between the two.  In three moves:
 ///
 ///     exchange.prepare(...);                                        // K_p = hA C / (C + hA), C = m c / (Gamma step)
-///     w.scatter(exchange.coefficient(), implicit_part);             // sum_p W_pc K_p       [W/K] to the gas's diagonal
-///     w.scatter(exchange.source(), explicit_part);                  // sum_p W_pc K_p T_p   [W]   to its right-hand side
+///     w.scatter(exchange.coefficient(), implicit_part);             // sum_p W_pc K_p       [W/K] to the gas's
+///     diagonal w.scatter(exchange.source(), explicit_part);                  // sum_p W_pc K_p T_p   [W]   to its
+///     right-hand side
 ///     ... the gas solves for its temperatures at the end of the step ...
 ///     w.gather(gas_temperature, at_particles);
 ///     exchange.finish(at_particles, ...);                           // q_p = K_p (gas - T_p), T_p += q_p / C
@@ -28,21 +29,19 @@ namespace hearth {
 /// scatter, and T_p ends between its own temperature and that of the gas around it.
 ///
 /// cp(T): C takes the least of the specific heats at the particle, at the gas, and of the chord between them, so the
-/// enthalpy that a particle receives cannot carry it past gas of the temperature that prepare() was told.  Where cp bends
-/// and the gas moves far in one step, overshoots() says before finish() how many particles would pass the gas; then repeat
-/// the three moves, telling prepare() the gas that came out:
+/// enthalpy that a particle receives cannot carry it past gas of the temperature that prepare() was told.  Where cp
+/// bends and the gas moves far in one step, overshoots() says before finish() how many particles would pass the gas;
+/// then repeat the three moves, telling prepare() the gas that came out:
 ///
-///     do { exchange.prepare(..., at_particles, ...); gas from its state before the step; w.gather(gas, at_particles); }
-///     while (exchange.overshoots(at_particles, ...) > 0);
+///     do { exchange.prepare(..., at_particles, ...); gas from its state before the step; w.gather(gas, at_particles);
+///     } while (exchange.overshoots(at_particles, ...) > 0);
 class gas_exchange {
   public:
-    /// conductance[i] = h A [W/K], >= 0; gas_temperature[i] at the particle [K]: before the step, or a better guess of it
-    /// after the step.
-    /// Throws bad_value, before it changes anything.
+    /// conductance[i] = h A [W/K], >= 0; gas_temperature[i] at the particle [K]: before the step, or a better guess of
+    /// it after the step. Throws bad_value, before it changes anything.
     template <class Clock, class Mass, class CaloricOf>
     void prepare(const std::vector<double>& conductance, const std::vector<double>& gas_temperature, const Mass& mass,
-                 const CaloricOf& caloric_of, const Clock& clock, double step,
-                 const std::vector<double>& temperature) {
+                 const CaloricOf& caloric_of, const Clock& clock, double step, const std::vector<double>& temperature) {
         const std::size_t count = temperature.size();
         detail::require_positive("step", bad_value::no_index, step, "finite and > 0 [s]");
         for (const std::size_t size : {conductance.size(), gas_temperature.size(), mass.size()})
@@ -57,8 +56,7 @@ class gas_exchange {
             detail::require_positive("specific_heat of particle", index,
                                      least_specific_heat(caloric_of(i), temperature[i], gas_temperature[i]),
                                      "finite and > 0 [J/(kg K)]");
-            detail::require_not_negative("gas conductance of particle", index, conductance[i],
-                                         "finite and >= 0 [W/K]");
+            detail::require_not_negative("gas conductance of particle", index, conductance[i], "finite and >= 0 [W/K]");
             detail::check_acceleration_factor(clock.factor(i), index);
         }
         step_ = step;
@@ -85,7 +83,8 @@ class gas_exchange {
             const double gap = gas_temperature[i] - temperature[i];
             const double after = carried(clock.factor(i) * lost(i, gap), mass[i], caloric_of(i), temperature[i]);
             // Past by more than round-off: 1e-10 of the gap and some digits of the temperature itself.
-            if ((gas_temperature[i] - after) * gap < -(1e-10 * std::fabs(gap) + 1e-14 * after) * std::fabs(gap)) ++count;
+            if ((gas_temperature[i] - after) * gap < -(1e-10 * std::fabs(gap) + 1e-14 * after) * std::fabs(gap))
+                ++count;
         }
         return count;
     }

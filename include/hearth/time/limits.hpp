@@ -12,10 +12,10 @@
 
 namespace hearth {
 
-/// Largest stable steps of explicit processes [s], by the model's clock: Gamma is the argument `factor` of each limit that
-/// it shortens.  Above the limit an explicit scheme grows without bound; below half of it, it does not even oscillate.
-/// Infinite where nothing is exchanged.  Implicit and exponential schemes (particle_energy.hpp, thermal_network.hpp,
-/// gas_exchange.hpp) have no limit.
+/// Largest stable steps of explicit processes [s], by the model's clock: Gamma is the argument `factor` of each limit
+/// that it shortens.  Above the limit an explicit scheme grows without bound; below half of it, it does not even
+/// oscillate. Infinite where nothing is exchanged.  Implicit and exponential schemes (particle_energy.hpp,
+/// thermal_network.hpp, gas_exchange.hpp) have no limit.
 namespace stable_step {
 
 namespace detail {
@@ -29,8 +29,7 @@ HEARTH_FUNCTION Real over(Real numerator, Real denominator) {
 /// 2 m c_p / (4 r T^3 Gamma).  Take the highest temperature that the particle may reach.
 template <class Real>
 HEARTH_FUNCTION Real particle(const heat_bath<Real>& bath, Real capacity, Real temperature, Real factor = Real(1)) {
-    const Real slope =
-        bath.conductance + Real(4) * bath.radiation * temperature * temperature * temperature;
+    const Real slope = bath.conductance + Real(4) * bath.radiation * temperature * temperature * temperature;
     return detail::over(Real(2) * capacity, factor * slope);
 }
 
@@ -55,7 +54,7 @@ HEARTH_FUNCTION Real pair(Real slope, Real first_capacity, Real second_capacity,
 /// capacity[i] = m c_p / Gamma [J/K].
 template <class Link>
 double network(const std::vector<linked_pair<Link>>& pairs, const std::vector<heat_bath<double>>& baths,
-                      const std::vector<double>& capacity, const std::vector<double>& temperature) {
+               const std::vector<double>& capacity, const std::vector<double>& temperature) {
     std::vector<double> own(capacity.size(), 0.0), bath(capacity.size(), 0.0);
     for (std::size_t i = 0; i < baths.size(); ++i)
         bath[i] = baths[i].conductance + 4.0 * baths[i].radiation * std::pow(temperature[i], 3);
@@ -79,15 +78,15 @@ HEARTH_FUNCTION Real drag(Real coefficient, Real mass) {
     return detail::over(Real(2) * mass, coefficient);
 }
 
-/// A contact of two bodies as a spring, by leapfrog (velocity Verlet, symplectic Euler); stiffness at the largest overlap
-/// [N/m], reduced mass m1 m2 / (m1 + m2) [kg].
+/// A contact of two bodies as a spring, by leapfrog (velocity Verlet, symplectic Euler); stiffness at the largest
+/// overlap [N/m], reduced mass m1 m2 / (m1 + m2) [kg].
 template <class Real>
 HEARTH_FUNCTION Real contact(Real stiffness, Real reduced_mass) {
     return Real(2) * std::sqrt(detail::over(reduced_mass, stiffness));
 }
 
-/// Courant's limit of explicit upwind transport; storage_factor is s of the clock (1 without splitting), which also bounds
-/// the gas: less storage, shorter step.  0 for a quasi-steady gas: solve it implicitly.
+/// Courant's limit of explicit upwind transport; storage_factor is s of the clock (1 without splitting), which also
+/// bounds the gas: less storage, shorter step.  0 for a quasi-steady gas: solve it implicitly.
 template <class Real>
 HEARTH_FUNCTION Real advection(Real spacing, Real speed, Real storage_factor = Real(1)) {
     return detail::over(storage_factor * spacing, std::fabs(speed));

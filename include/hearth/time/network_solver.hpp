@@ -82,8 +82,8 @@ class network_system {
     };
 
     template <class Pair>
-    outcome solve(const std::vector<Pair>& pairs, const std::vector<double>& link, islands& parts,
-                  double tolerance, int limit, std::vector<double>& x) {
+    outcome solve(const std::vector<Pair>& pairs, const std::vector<double>& link, islands& parts, double tolerance,
+                  int limit, std::vector<double>& x) {
         const std::size_t count = x.size();
         inverse_ = diagonal;
         for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -143,8 +143,7 @@ class network_system {
 
     /// Residual of x, and its square in the norm of the preconditioner.
     template <class Pair>
-    double refresh(const std::vector<Pair>& pairs, const std::vector<double>& link,
-                   const std::vector<double>& x) {
+    double refresh(const std::vector<Pair>& pairs, const std::vector<double>& link, const std::vector<double>& x) {
         apply(pairs, link, x, product_);
         residual_.resize(x.size());
         double square = 0.0;
@@ -157,7 +156,8 @@ class network_system {
 
     /// Shifts each island so that its energy balance, in which the links cancel, closes.
     void balance(islands& parts, std::vector<double>& x) {
-        parts.means(diagonal, [&](std::size_t i) { return right[i] - diagonal[i] * x[i]; }, shift_);
+        parts.means(
+            diagonal, [&](std::size_t i) { return right[i] - diagonal[i] * x[i]; }, shift_);
         for (std::size_t i = 0; i < x.size(); ++i) x[i] += shift_[parts.of(i)];
     }
 

@@ -12,10 +12,10 @@ namespace hearth {
 /// The heat rate into the particle is  conductance (T_c - T) + radiation (T_r^4 - T^4).
 template <class Real = double>
 struct heat_bath {
-    Real conductance = Real(0);         ///< sum of K [W/K]
-    Real conductance_times_t = Real(0); ///< sum of K T [W]
-    Real radiation = Real(0);           ///< sum of r [W/K^4]
-    Real radiation_times_t4 = Real(0);  ///< sum of r T^4 [W]
+    Real conductance = Real(0);          ///< sum of K [W/K]
+    Real conductance_times_t = Real(0);  ///< sum of K T [W]
+    Real radiation = Real(0);            ///< sum of r [W/K^4]
+    Real radiation_times_t4 = Real(0);   ///< sum of r T^4 [W]
 
     HEARTH_FUNCTION constexpr void add(const conductive_link<Real>& link, Real there) {
         conductance += link.conductance;
@@ -75,9 +75,9 @@ namespace detail {
 /// A bath seen from a temperature: the radiation replaced by its secant, so that all pulls are linear.
 template <class Real>
 struct linear_bath {
-    Real conductance, radiation;              // [W/K]
-    Real conductive, radiative;               // temperatures of the partners [K]
-    Real total, target;                       // sum [W/K], temperature of balance [K]
+    Real conductance, radiation;  // [W/K]
+    Real conductive, radiative;   // temperatures of the partners [K]
+    Real total, target;           // sum [W/K], temperature of balance [K]
 
     HEARTH_FUNCTION linear_bath(const heat_bath<Real>& bath, Real seen_from, Real otherwise)
         : conductance(bath.conductance),
@@ -140,10 +140,14 @@ struct backward_euler {
             const Real excess = mass * (caloric.enthalpy(next) - start) - step * rate;
             const Real slope = mass * caloric.specific_heat(next) +
                                step * (bath.conductance + Real(4) * bath.radiation * next * next * next);
-            if (excess > Real(0)) high = next; else low = next;
+            if (excess > Real(0))
+                high = next;
+            else
+                low = next;
             Real trial = next - excess / slope;
             if (!(trial > low && trial < high)) trial = low + (high - low) / Real(2);
-            const bool ended = trial == next || trial == low || trial == high;
+            // A change of a few round-offs is none.
+            const bool ended = next + (trial - next) / Real(4) == next || trial == low || trial == high;
             next = trial;
             if (ended) break;
         }

@@ -30,17 +30,17 @@ namespace hearth {
 class thermal_network {
   public:
     struct params {
-        int passes = 2;           ///< one pass lags: 10 K on a chain of 50 spheres where two are 0.4 K off
-        int caloric_passes = 30;  ///< at most; none for a constant specific heat
-        double tolerance = 1e-14; ///< of the residual over the right-hand side, both in the diagonal's norm [-]
-        int iterations = 20000;   ///< of conjugate gradients, per pass
+        int passes = 2;            ///< one pass lags: 10 K on a chain of 50 spheres where two are 0.4 K off
+        int caloric_passes = 30;   ///< at most; none for a constant specific heat
+        double tolerance = 1e-14;  ///< of the residual over the right-hand side, both in the diagonal's norm [-]
+        int iterations = 20000;    ///< of conjugate gradients, per pass
     };
 
     struct report {
         int passes = 0;
-        int iterations = 0;        ///< of all passes
-        double residual = 0.0;     ///< largest of all passes, relative [-]
-        double missing_heat = 0.0; ///< enthalpy that the passes left unbooked: sum over particles of |.| / Gamma [J]
+        int iterations = 0;         ///< of all passes
+        double residual = 0.0;      ///< largest of all passes, relative [-]
+        double missing_heat = 0.0;  ///< enthalpy that the passes left unbooked: sum over particles of |.| / Gamma [J]
         bool converged = true;
     };
 
@@ -58,10 +58,9 @@ class thermal_network {
     }
 
     /// Advances the temperatures [K] by a step of the model [s].  mass[i] [kg]; caloric_of(i) is the particle's caloric
-    /// (see caloric.hpp); taken[i] holds what the particle received, in its own time: its enthalpy change, and of it the
-    /// parts that its bath gave (the rest came from pairs).
-    /// Throws bad_value, before it changes anything, for numbers that are not finite or have the wrong sign and for pairs
-    /// with an index out of range or with itself.
+    /// (see caloric.hpp); taken[i] holds what the particle received, in its own time: its enthalpy change, and of it
+    /// the parts that its bath gave (the rest came from pairs). Throws bad_value, before it changes anything, for
+    /// numbers that are not finite or have the wrong sign and for pairs with an index out of range or with itself.
     template <class Link, class Clock, class Mass, class CaloricOf>
     report advance(const std::vector<linked_pair<Link>>& pairs, const std::vector<heat_bath<double>>& baths,
                    const Mass& mass, const CaloricOf& caloric_of, const Clock& clock, double step,
@@ -92,8 +91,7 @@ class thermal_network {
                 } else {
                     // A secant over less than this would be round-off over round-off.
                     const bool near = !(std::fabs(latest - known) > 1e-6 * known);
-                    capacity_[i] =
-                        near ? per_time(i) * caloric.specific_heat(latest) : gained / (latest - known);
+                    capacity_[i] = near ? per_time(i) * caloric.specific_heat(latest) : gained / (latest - known);
                 }
             }
             if (radiation_moves) freeze_radiation(pairs, baths);
@@ -163,10 +161,13 @@ class thermal_network {
         system_.right.resize(count);
         for (std::size_t i = 0; i < count; ++i)
             system_.diagonal[i] = capacity_[i] + baths[i].conductance + bath_radiation_[i];
-        islands_.means(system_.diagonal, [&](std::size_t i) {
-            return capacity_[i] * temperature[i] + baths[i].conductance * conductive_[i] +
-                   bath_radiation_[i] * radiative_[i];
-        }, reference_);
+        islands_.means(
+            system_.diagonal,
+            [&](std::size_t i) {
+                return capacity_[i] * temperature[i] + baths[i].conductance * conductive_[i] +
+                       bath_radiation_[i] * radiative_[i];
+            },
+            reference_);
         for (std::size_t i = 0; i < count; ++i) {
             const double reference = reference_[islands_.of(i)];
             system_.right[i] = capacity_[i] * (temperature[i] - reference) - offset_[i] +
@@ -199,9 +200,9 @@ class thermal_network {
     params params_;
     detail::islands islands_;
     detail::network_system system_;
-    std::vector<double> capacity_, offset_;           // [W/K], [W]
-    std::vector<double> conductive_, radiative_;      // temperatures of the baths [K]
-    std::vector<double> bath_radiation_, link_;       // secants [W/K]
+    std::vector<double> capacity_, offset_;             // [W/K], [W]
+    std::vector<double> conductive_, radiative_;        // temperatures of the baths [K]
+    std::vector<double> bath_radiation_, link_;         // secants [W/K]
     std::vector<double> reference_, deviation_, next_;  // [K]
 };
 

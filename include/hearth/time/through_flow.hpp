@@ -13,12 +13,12 @@ namespace hearth {
 ///
 ///     m c dT/dx = hA/L (T_solid - T) + S/L (T_before - T)
 ///
-/// m c: heat capacity flow; hA: conductance to the particles; S = s C / step: storage of the gas in the cell, which lags
-/// by one step (s of the clock, C = volume times void fraction times density times specific heat).  A cell many transfer
-/// units long, in which gas and bed exchange all they can, is as exact as a short one.
+/// m c: heat capacity flow; hA: conductance to the particles; S = s C / step: storage of the gas in the cell, which
+/// lags by one step (s of the clock, C = volume times void fraction times density times specific heat).  A cell many
+/// transfer units long, in which gas and bed exchange all they can, is as exact as a short one.
 ///
-/// To the particles the cell is a bath of conductance() at temperature(); after their step, settle() says where the gas is.
-/// What the gas loses is what the particles get, to round-off.  March cells along the stream, outlet to inlet.
+/// To the particles the cell is a bath of conductance() at temperature(); after their step, settle() says where the gas
+/// is. What the gas loses is what the particles get, to round-off.  March cells along the stream, outlet to inlet.
 template <class Real = double>
 class through_flow {
   public:

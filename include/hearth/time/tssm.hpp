@@ -14,7 +14,8 @@ namespace hearth {
 ///
 /// This file is the one place that says what carries Gamma.  A clock has
 ///
-///     factor(i)               Gamma of particle i [-].  Multiplies EVERY rate into the particle: convection, conduction
+///     factor(i)               Gamma of particle i [-].  Multiplies EVERY rate into the particle: convection,
+///     conduction
 ///                             and radiation with particles, walls and surroundings, drying, reaction.
 ///                             // Paper: Eqs. 14 and 15 print it for convection and species only; here: all of them,
 ///                             // because a mechanism left out falls behind by Gamma and shifts the steady state.
@@ -107,8 +108,8 @@ class tssm {
     gas_storage form_;
 };
 
-/// A Gamma of its own for every particle: 1 in free flight, that of the bed else.  Factors is anything with [i], such as
-/// acceleration_switch::factors(); it is borrowed and must outlive the clock.
+/// A Gamma of its own for every particle: 1 in free flight, that of the bed else.  Factors is anything with [i], such
+/// as acceleration_switch::factors(); it is borrowed and must outlive the clock.
 ///
 /// Two particles of different Gamma exchange heat as any pair: each takes the rate times its own factor, and the ledger
 /// of increments closes all the same.

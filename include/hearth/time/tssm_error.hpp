@@ -36,9 +36,9 @@ HEARTH_FUNCTION Real steepest_rise(Real transfer_units) {
     return shape * std::sqrt(u) * Real(0.28209479177387814);  // 1 / (2 sqrt(pi))
 }
 
-/// Largest error of a particle's temperature that Gamma causes, over the step of the gas's inlet temperature [-], to first
-/// order in the delay: |s Gamma - 1| beta xi times the steepest rise.  Within 5 % where |s Gamma - 1| beta xi < 0.1.
-/// Zero for the corrected form, whose only error is that of its time step.
+/// Largest error of a particle's temperature that Gamma causes, over the step of the gas's inlet temperature [-], to
+/// first order in the delay: |s Gamma - 1| beta xi times the steepest rise.  Within 5 % where |s Gamma - 1| beta xi <
+/// 0.1. Zero for the corrected form, whose only error is that of its time step.
 inline double tssm_error(double acceleration_factor, gas_storage form, const tssm_bed& bed) {
     detail::check_acceleration_factor(acceleration_factor);
     const double excess = std::fabs(gas_storage_factor(form, acceleration_factor) * acceleration_factor - 1.0);
@@ -46,9 +46,9 @@ inline double tssm_error(double acceleration_factor, gas_storage form, const tss
 }
 
 /// Largest Gamma whose error stays below the tolerance, by the same estimate; at least 1.
-/// Infinite for the corrected form (the motion and the time step set its limit).  The quasi-steady form has an error that
-/// Gamma does not change: infinite where that is below the tolerance, else 1.
-/// Throws bad_value for a tolerance that is not > 0, or a bed whose numbers are not finite and > 0.
+/// Infinite for the corrected form (the motion and the time step set its limit).  The quasi-steady form has an error
+/// that Gamma does not change: infinite where that is below the tolerance, else 1. Throws bad_value for a tolerance
+/// that is not > 0, or a bed whose numbers are not finite and > 0.
 inline double gamma_for(double tolerance, gas_storage form, const tssm_bed& bed) {
     if (!(tolerance > 0.0)) throw bad_value("tolerance", bad_value::no_index, tolerance, "> 0 [-]");
     const auto check = [](const char* name, double value) {

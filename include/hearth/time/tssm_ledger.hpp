@@ -8,8 +8,9 @@
 
 namespace hearth {
 
-/// Books what gas and particles gain and what comes through the boundary, in the one way that closes under every form of
-/// time scale splitting.  With a Gamma per particle no state function is conserved, so the ledger is one of increments:
+/// Books what gas and particles gain and what comes through the boundary, in the one way that closes under every form
+/// of time scale splitting.  With a Gamma per particle no state function is conserved, so the ledger is one of
+/// increments:
 ///
 ///     s dE_gas + sum_p dE_p / Gamma_p = boundary
 ///
@@ -27,8 +28,8 @@ class tssm_ledger {
     void gas(double increment) { stored_.add(storage_ * increment); }
     /// Increase of a particle's content, and the particle's factor while it took place.
     void particle(double increment, double acceleration_factor) { stored_.add(increment / acceleration_factor); }
-    /// What came in through the boundary in model time: gas inflow, and heat of walls and surroundings to gas or bed, once
-    /// (not times Gamma); the content of fed particles over their Gamma.
+    /// What came in through the boundary in model time: gas inflow, and heat of walls and surroundings to gas or bed,
+    /// once (not times Gamma); the content of fed particles over their Gamma.
     void boundary(double amount) { supplied_.add(amount); }
 
     /// Left side less right side.

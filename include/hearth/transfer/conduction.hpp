@@ -19,9 +19,9 @@ struct contact_materials {
     double wall_conductivity = 0.0;  ///< [W/(m K)]; 0: no conduction to walls
 };
 
-/// Heat through the contacts of particles with one another and with walls; the contact radius is Hertz's from the elastic
-/// normal force with the true modulus, however soft the motion is.
-/// Closure: one of closure::zhang.  Paper: Eqs. 2 and 3.
+/// Heat through the contacts of particles with one another and with walls; the contact radius is Hertz's from the
+/// elastic normal force with the true modulus, however soft the motion is. Closure: one of closure::zhang.  Paper: Eqs.
+/// 2 and 3.
 template <class Closure>
 struct conduction : Closure {
     contact_materials materials;
@@ -50,8 +50,7 @@ struct conduction : Closure {
     conductive_link<double> wall_contact_link(const Particle& p, const Gas&, const contact& touch) const {
         if (!(materials.wall_conductivity > 0.0)) return {0.0};
         const double radius = static_cast<double>(p[quantity::radius{}]);
-        return link(touch.normal_force, radius,
-                    closure::hertz::effective_modulus(materials.particle, materials.wall),
+        return link(touch.normal_force, radius, closure::hertz::effective_modulus(materials.particle, materials.wall),
                     static_cast<double>(p[quantity::conductivity{}]), materials.wall_conductivity, radius, 0.0);
     }
 
@@ -59,13 +58,15 @@ struct conduction : Closure {
     conductive_link<double> link(double force, double effective_radius, double modulus, double conductivity_i,
                                  double conductivity_j, double radius_i, double radius_j) const {
         const double contact_radius = closure::hertz::contact_radius(force, effective_radius, modulus);
-        return {this->conductance(closure::contact_pair<double>{contact_radius, force, conductivity_i, conductivity_j,
-                                                                radius_i, radius_j})};
+        return {this->conductance(
+            closure::contact_pair<double>{contact_radius, force, conductivity_i, conductivity_j, radius_i, radius_j})};
     }
 };
 
-template <class Closure> conduction(Closure) -> conduction<Closure>;
-template <class Closure> conduction(Closure, contact_materials) -> conduction<Closure>;
+template <class Closure>
+conduction(Closure) -> conduction<Closure>;
+template <class Closure>
+conduction(Closure, contact_materials) -> conduction<Closure>;
 
 /// Heat from particle to particle through the gas around their contact or narrow gap.
 /// Distances are those of the motion, whose overlap is too large where it is softened: `overlap_scale` brings the
@@ -97,12 +98,13 @@ struct film_conduction : Closure {
         const double void_fraction = 0.5 * (static_cast<double>(g[quantity::void_fraction{}]) +
                                             static_cast<double>(h[quantity::void_fraction{}]));
         return {Closure::conductance(closure::film_pair<double>{
-            gap < 0.0 ? gap * overlap_scale : gap, radius_p, radius_q,
-            static_cast<double>(p[quantity::conductivity{}]), static_cast<double>(q[quantity::conductivity{}]), gas,
-            void_fraction})};
+            gap < 0.0 ? gap * overlap_scale : gap, radius_p, radius_q, static_cast<double>(p[quantity::conductivity{}]),
+            static_cast<double>(q[quantity::conductivity{}]), gas, void_fraction})};
     }
 };
-template <class Closure> film_conduction(Closure) -> film_conduction<Closure>;
-template <class Closure> film_conduction(Closure, double) -> film_conduction<Closure>;
+template <class Closure>
+film_conduction(Closure) -> film_conduction<Closure>;
+template <class Closure>
+film_conduction(Closure, double) -> film_conduction<Closure>;
 
 }  // namespace hearth

@@ -42,9 +42,12 @@ struct counted_parabolic_particle : parabolic_particle {
 };
 
 namespace detail {
-template <class A, class B> struct joined;
+template <class A, class B>
+struct joined;
 template <class... A, class... B>
-struct joined<quantities<A...>, quantities<B...>> { using type = quantities<A..., B...>; };
+struct joined<quantities<A...>, quantities<B...>> {
+    using type = quantities<A..., B...>;
+};
 }  // namespace detail
 
 /// Heat between particles and gas:  Q = Nu k_g / d * pi d^2 (T_gas - T).
@@ -77,7 +80,9 @@ struct convection : Nusselt, Interior {
         return {Interior::effective(h, p, diameter) * constants<double>::pi() * diameter * diameter};
     }
 };
-template <class Nusselt> convection(Nusselt) -> convection<Nusselt>;
-template <class Nusselt, class Interior> convection(Nusselt, Interior) -> convection<Nusselt, Interior>;
+template <class Nusselt>
+convection(Nusselt) -> convection<Nusselt>;
+template <class Nusselt, class Interior>
+convection(Nusselt, Interior) -> convection<Nusselt, Interior>;
 
 }  // namespace hearth

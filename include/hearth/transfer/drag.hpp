@@ -10,9 +10,9 @@
 
 namespace hearth {
 
-/// Force between gas and particles: drag on the slip with v / Gamma, and with a closure of model A each particle's share
-/// -V_p grad p of the pressure.  The gas receives the drag with the opposite sign; the pressure's share it has in its own
-/// term e grad p.  Forces are not multiplied by Gamma: the motion runs in the model's time.
+/// Force between gas and particles: drag on the slip with v / Gamma, and with a closure of model A each particle's
+/// share -V_p grad p of the pressure.  The gas receives the drag with the opposite sign; the pressure's share it has in
+/// its own term e grad p.  Forces are not multiplied by Gamma: the motion runs in the model's time.
 template <class Closure>
 struct drag : Closure {
     using reads = quantities<quantity::radius, quantity::velocity>;
@@ -35,11 +35,13 @@ struct drag : Closure {
         if constexpr (Closure::model() == closure::momentum_model::a) {
             const double volume = constants<double>::pi() / 6.0 * diameter * diameter * diameter;
             const auto& gradient = g[quantity::pressure_gradient{}];
-            detail::for_each_axis([&](std::size_t a) { result.pressure_force[a] = -volume * static_cast<double>(gradient[a]); });
+            detail::for_each_axis(
+                [&](std::size_t a) { result.pressure_force[a] = -volume * static_cast<double>(gradient[a]); });
         }
         return result;
     }
 };
-template <class Closure> drag(Closure) -> drag<Closure>;
+template <class Closure>
+drag(Closure) -> drag<Closure>;
 
 }  // namespace hearth

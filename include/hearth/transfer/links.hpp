@@ -26,11 +26,11 @@ struct linked_surroundings {
 
 /// Rows of a radiation term: how much of its view each particle has in the list, walls included and after scaling.
 struct view_report {
-    double scale = 1.0;           ///< applied to pairs; the mean one for closed rows [-]
-    double row_mean = 0.0;        ///< over particles that are not open to the surroundings [-]
+    double scale = 1.0;                         ///< applied to pairs; the mean one for closed rows [-]
+    double row_mean = 0.0;                      ///< over particles that are not open to the surroundings [-]
     double row_least = 0.0, row_largest = 0.0;  ///< of these [-]
-    std::int64_t open = 0;        ///< particles that see the surroundings
-    double open_view = 0.0;       ///< sum of their open shares [-]
+    std::int64_t open = 0;                      ///< particles that see the surroundings
+    double open_view = 0.0;                     ///< sum of their open shares [-]
 };
 
 /// All exchange of heat that does not pass through the gas, as numbers: made once per packing from what the terms of a
@@ -41,6 +41,13 @@ struct link_list {
     std::vector<linked_wall<Link>> walls;
     std::vector<linked_surroundings> surroundings;
     std::vector<view_report> views;  ///< one per radiation term, in their order
+
+    void clear() {
+        pairs.clear();
+        walls.clear();
+        surroundings.clear();
+        views.clear();
+    }
 };
 
 /// What went through a list in one evaluation [W].

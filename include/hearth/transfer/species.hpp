@@ -10,13 +10,14 @@
 namespace hearth {
 
 /// Drying: liquid water on a particle evaporates into the gas around, or condenses from it, at the rate of the gas film
-/// (closure::evaporation) with the surface at the particle's temperature.  It is constant-rate drying: the surface stays
-/// wet until the water is gone; the falling rate of porous grains is not modelled.
+/// (closure::evaporation) with the surface at the particle's temperature.  It is constant-rate drying: the surface
+/// stays wet until the water is gone; the falling rate of porous grains is not modelled.
 ///
 /// Sherwood: a closure with sherwood(void_fraction, reynolds, schmidt).  Paper: Eqs. 12 and 15.
 ///
-/// The particle pays the latent heat, and the vapour takes its enthalpy at the particle's temperature to the gas.  Near the
-/// boiling point the film gives way and heat sets the rate: step with drying_step (time/drying_step.hpp), which finds it.
+/// The particle pays the latent heat, and the vapour takes its enthalpy at the particle's temperature to the gas.  Near
+/// the boiling point the film gives way and heat sets the rate: step with drying_step (time/drying_step.hpp), which
+/// finds it.
 template <class Sherwood>
 struct drying : Sherwood {
     constexpr explicit drying(Sherwood closure) : Sherwood(std::move(closure)) {}
@@ -83,6 +84,7 @@ struct drying : Sherwood {
                 vapour_enthalpy(temperature)};
     }
 };
-template <class Sherwood> drying(Sherwood) -> drying<Sherwood>;
+template <class Sherwood>
+drying(Sherwood) -> drying<Sherwood>;
 
 }  // namespace hearth

@@ -10,8 +10,8 @@
 
 namespace hearth {
 
-/// A term states one piece of physics once and does not loop.  A scene (scene/scene.hpp) fuses all its terms into one loop
-/// of each kind.  A term is any type with
+/// A term states one piece of physics once and does not loop.  A scene (scene/scene.hpp) fuses all its terms into one
+/// loop of each kind.  A term is any type with
 ///
 ///     using reads      = quantities<...>;   what it asks of a particle
 ///     using writes     = quantities<...>;   rates that it adds to a particle
@@ -41,7 +41,8 @@ constexpr bool has_act(act kind) {
     return (static_cast<unsigned>(Term::acts) & static_cast<unsigned>(kind)) != 0;
 }
 
-/// One element of a host's data: a particle, or the gas at it.  view[quantity::radius{}] is what the host's traits give.
+/// One element of a host's data: a particle, or the gas at it.  view[quantity::radius{}] is what the host's traits
+/// give.
 template <class Host>
 class view {
   public:
@@ -89,7 +90,8 @@ template <class Particle, class Gas, class Clock>
 std::array<double, 3> slip_velocity(const Particle& p, const Gas& g, const Clock& clock) {
     const auto& u = g[quantity::gas_velocity{}];
     const auto v = clock.true_velocity(p.number(), p[quantity::velocity{}]);
-    return {static_cast<double>(u[0]) - static_cast<double>(v[0]), static_cast<double>(u[1]) - static_cast<double>(v[1]),
+    return {static_cast<double>(u[0]) - static_cast<double>(v[0]),
+            static_cast<double>(u[1]) - static_cast<double>(v[1]),
             static_cast<double>(u[2]) - static_cast<double>(v[2])};
 }
 

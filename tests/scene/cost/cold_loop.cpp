@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The cold bed by a scene and by hand, for the test that counts instructions and reads the object's symbols: absent
 // physics must leave no trace.  Both keep the same ledger.
+#include "scene/cost/cold_loop.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -8,8 +10,6 @@
 #include <hearth/closure/ergun.hpp>
 #include <hearth/scene/scene.hpp>
 #include <hearth/transfer/drag.hpp>
-
-#include "scene/cost/cold_loop.hpp"
 
 using namespace hearth;
 
@@ -31,7 +31,9 @@ struct hearth::particle_traits<cost::gas> {
     static double get(quantity::void_fraction, const cost::gas& g, index i) { return g.void_fraction[i]; }
     static double get(quantity::gas_density, const cost::gas& g, index i) { return g.density[i]; }
     static double get(quantity::gas_viscosity, const cost::gas& g, index i) { return g.viscosity[i]; }
-    static const std::array<double, 3>& get(quantity::gas_velocity, const cost::gas& g, index i) { return g.velocity[i]; }
+    static const std::array<double, 3>& get(quantity::gas_velocity, const cost::gas& g, index i) {
+        return g.velocity[i];
+    }
     static const std::array<double, 3>& get(quantity::pressure_gradient, const cost::gas& g, index i) {
         return g.pressure_gradient[i];
     }

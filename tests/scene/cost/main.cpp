@@ -28,14 +28,17 @@ int main() {
         force[k].assign(count, {});
         reaction[k].assign(count, {});
         cost::bed bed{static_cast<std::ptrdiff_t>(count), radius.data(), velocity.data(), force[k].data()};
-        cost::gas gas{void_fraction.data(), density.data(), viscosity.data(), wind.data(), gradient.data(), reaction[k].data()};
+        cost::gas gas{void_fraction.data(), density.data(),  viscosity.data(),
+                      wind.data(),          gradient.data(), reaction[k].data()};
         (k == 0 ? cost::by_scene : cost::by_hand)(bed, gas, ledger[k]);
     }
     double difference = 0;
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t a = 0; a < 3; ++a)
-            difference = std::fmax(difference, std::fabs(force[0][i][a] - force[1][i][a]) + std::fabs(reaction[0][i][a] - reaction[1][i][a]));
-    for (std::size_t a = 0; a < 6; ++a) difference = std::fmax(difference, std::fabs(ledger[0][a] - ledger[1][a]) / count);
+            difference = std::fmax(difference, std::fabs(force[0][i][a] - force[1][i][a]) +
+                                                   std::fabs(reaction[0][i][a] - reaction[1][i][a]));
+    for (std::size_t a = 0; a < 6; ++a)
+        difference = std::fmax(difference, std::fabs(ledger[0][a] - ledger[1][a]) / count);
     std::printf("largest difference %g N\n", difference);
     return difference < 1e-12 ? 0 : 1;
 }
