@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <hearth/dem/contact_law.hpp>
+#include <hearth/dem/particles.hpp>
+#include <hearth/dem/wall.hpp>
+
+namespace hearth::dem {
+
+/// A particle that is deeper in another, or in a wall, than the settings allow; or one that went too fast for its step.
+/// Names the particle (and its partner) by id.
+struct motion_error : std::runtime_error {
+    motion_error(const std::string& what, std::int64_t id_) : std::runtime_error(what), id(id_) {}
+    std::int64_t id;
+};
+
+struct bed_settings {
+    double step = 2e-5;                  ///< [s]; see bed::advised_step()
+    vector3 gravity{0, 0, -9.81};        ///< [m/s^2]
+    material body{};                     ///< of all particles
+    contact_settings contact{};          ///< between particles
+    double skin = 0.1;                   ///< of the contact list, over the largest diameter [-], > 0
+    double deepest_overlap = 0.3;        ///< over the smaller radius [-]; more is refused as an error, never exploded
+};
+
+/// Spheres that move under gravity, contacts and forces from outside, in a space with walls.
+///
+/// Particles are kept in the order of their place, so their indices change whenever the lists are rebuilt (`revision()`
+/// tells); their ids do not.  Velocity Verlet; between calls positions and velocities belong to the same time.
+class bed {
+  public:
+    explicit bed(const bed_settings& settings);
+    ~bed();
+    bed(bed&&) noexcept;
+    bed& operator=(bed&&) noexcept;
+
+    /// Adds a wall and returns its number.  Throws bad_value.
+    int add_wall(wall w);
+    /// Changes how a wall moves from now on.
+    void set_motion(int wall_number, const wall_motion& motion);
+    void set_wall_temperature(int wall_number, double kelvin);
+    const wall& wall_at(int wall_number) const;
+    int wall_count() const;
+    /// Force of the particles on a wall [N] in the last step.
+    vector3 force_on_wall(int wall_number) const;
+
+    /// Adds particles and returns the id of the first; the others follow.  Refuses, with the bed as it was, values that
+    /// are not finite, and particles deeper in others or in walls than `deepest_overlap`.  Throws bad_value, motion_error.
+    std::int64_t insert(const std::vector<particle>& particles);
+    /// Removes the particles of these indices.
+    void remove(const std::vector<index>& indices);
+
+    /// Moves on by `steps` steps.  Throws motion_error.
+    void advance(int steps);
+    double time() const;
+    std::int64_t steps() const;
+    const bed_settings& settings() const;
+    void set_gravity(const vector3& gravity);
+
+    /// Particles, by index.
+    index size() const;
+    const sphere* spheres() const;
+    const motion* motions() const;
+    const load* loads() const;
+    const std::int64_t* ids() const;
+    double mass(index i) const;
+    /// State that goes with the particles wherever they are sorted to.
+    double* temperatures();
+    const double* temperatures() const;
+
+    void set_velocity(index i, const vector3& velocity, const vector3& spin);
+    /// A driven particle keeps its velocity whatever pushes it.
+    void set_driven(index i, bool driven);
+    /// Force from outside, e.g. of the gas [N]; kept until it is set again.
+    void set_outer_force(index i, const vector3& force);
+
+    /// Grows whenever indices change.
+    std::uint64_t revision() const;
+    /// How often the lists were rebuilt.
+    std::int64_t rebuilds() const;
+    /// Rebuilds the lists at the next step whatever has moved.
+    void expire_lists();
+
+    /// Bytes that the bed holds.
+    std::size_t memory() const;
+
+    /// Contacts as of the last step.  visit(i, j, elastic normal force [N], overlap [m], point [m]): every touching pair once.
+    template <class Visit>
+    void for_each_contact(Visit&& visit) const;
+    /// visit(i, wall number, elastic normal force [N], overlap [m], point [m])
+    template <class Visit>
+    void for_each_wall_contact(Visit&& visit) const;
+
+    struct pair {
+        index i, j;
+    };
+    struct touch {
+        index i;
+        int wall;
+        double overlap;
+        vector3 foot;
+    };
+    /// Pairs that may touch, and contacts with walls as they are now.
+    const std::vector<pair>& candidate_pairs() const;
+    std::vector<touch> wall_touches() const;
+    const contact_law& law() const;
+    const contact_law& wall_law(int wall_number) const;
+
+    /// Step that resolves the shortest contact of an impact at `speed` by `steps_per_contact` steps [s].
+    double advised_step(double speed, double steps_per_contact = 20) const;
+
+  private:
+    struct implementation;
+    std::unique_ptr<implementation> self_;
+};
+
+template <class Visit>
+void bed::for_each_contact(Visit&& visit) const {
+    const sphere* const all = spheres();
+    const double stiffness = law().normal_stiffness;
+    for (const auto& [i, j] : candidate_pairs()) {
+        const vector3 d = all[i].centre - all[j].centre;
+        const double ri = all[i].radius, rj = all[j].radius, sum = ri + rj, squared = dot(d, d);
+        if (squared >= sum * sum) continue;
+        const double distance = std::sqrt(squared), overlap = sum - distance;
+        const double force = stiffness * std::sqrt(ri * rj / sum * overlap) * overlap;
+        visit(i, j, force, overlap, all[i].centre - ((ri - overlap * rj / sum) / distance) * d);
+    }
+}
+
+template <class Visit>
+void bed::for_each_wall_contact(Visit&& visit) const {
+    for (const touch& t : wall_touches()) {
+        const double force = wall_law(t.wall).normal_stiffness * std::sqrt(spheres()[t.i].radius * t.overlap) * t.overlap;
+        visit(t.i, t.wall, force, t.overlap, t.foot);
+    }
+}
+
+}  // namespace hearth::dem

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include <hearth/dem/bed.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+#include <hearth/core/assert.hpp>
+#include <hearth/core/constants.hpp>
+#include <hearth/core/error.hpp>
+
+#include "forces.hpp"
+#include "implementation.hpp"
+
+namespace hearth::dem {
+namespace {
+
+void check(bool good, const char* name, double value, const char* allowed, std::int64_t at = bad_value::no_index) {
+    if (!good) throw bad_value(name, at, value, allowed);
+}
+
+double sphere_volume(double radius) { return 4.0 / 3.0 * constants<double>::pi() * radius * radius * radius; }
+
+}  // namespace
+
+bed::bed(const bed_settings& settings) : self_(std::make_unique<implementation>()) {
+    check(settings.step > 0 && std::isfinite(settings.step), "step", settings.step, "finite and > 0 [s]");
+    check(is_finite(settings.gravity), "gravity", norm(settings.gravity), "finite [m/s^2]");
+    check(settings.skin > 0 && std::isfinite(settings.skin), "skin", settings.skin, "finite and > 0 [-]");
+    check(settings.deepest_overlap > 0 && settings.deepest_overlap < 1, "deepest_overlap", settings.deepest_overlap,
+          "in (0, 1) [-]");
+    self_->law = contact_law::between_particles(settings.body, settings.contact);
+    self_->settings = settings;
+    self_->rolling = settings.contact.rolling_friction > 0;
+}
+bed::~bed() = default;
+bed::bed(bed&&) noexcept = default;
+bed& bed::operator=(bed&&) noexcept = default;
+
+int bed::add_wall(wall w) {
+    const contact_law law = contact_law::with_wall(self_->settings.body, w.body, w.contact);
+    check(!w.facets.empty(), "number of facets of wall", 0.0, "> 0");
+    check(w.temperature > 0 && std::isfinite(w.temperature), "temperature of wall", w.temperature, "finite and > 0 [K]");
+    std::int64_t id = -1;
+    for (const auto& other : self_->walls) id -= static_cast<std::int64_t>(other.body.facets.size());
+    detail::wall_list list{};
+    list.body = std::move(w);
+    list.law = law;
+    list.first_id = id;
+    // Springs of rolling are kept for all contacts or for none.
+    self_->rolling = self_->rolling || law.settings.rolling_friction > 0;
+    self_->walls.push_back(std::move(list));
+    self_->listed = self_->loaded = false;
+    return static_cast<int>(self_->walls.size()) - 1;
+}
+
+void bed::set_motion(int wall_number, const wall_motion& motion) {
+    check(is_finite(motion.velocity) && is_finite(motion.spin) && is_finite(motion.pivot), "motion of wall",
+          norm(motion.velocity), "finite", wall_number);
+    self_->walls.at(static_cast<std::size_t>(wall_number)).body.motion = motion;
+}
+void bed::set_wall_temperature(int wall_number, double kelvin) {
+    check(kelvin > 0 && std::isfinite(kelvin), "temperature of wall", kelvin, "finite and > 0 [K]", wall_number);
+    self_->walls.at(static_cast<std::size_t>(wall_number)).body.temperature = kelvin;
+}
+const wall& bed::wall_at(int n) const { return self_->walls.at(static_cast<std::size_t>(n)).body; }
+int bed::wall_count() const { return static_cast<int>(self_->walls.size()); }
+vector3 bed::force_on_wall(int n) const { return self_->walls.at(static_cast<std::size_t>(n)).reaction; }
+const contact_law& bed::wall_law(int n) const { return self_->walls.at(static_cast<std::size_t>(n)).law; }
+const contact_law& bed::law() const { return self_->law; }
+
+std::int64_t bed::insert(const std::vector<particle>& added) {
+    for (std::size_t k = 0; k < added.size(); ++k) {
+        const particle& p = added[k];
+        const auto at = static_cast<std::int64_t>(k);
+        check(p.radius > 0 && std::isfinite(p.radius), "radius of particle", p.radius, "finite and > 0 [m]", at);
+        check(p.density > 0 && std::isfinite(p.density), "density of particle", p.density, "finite and > 0 [kg/m^3]", at);
+        check(is_finite(p.position), "position of particle", norm(p.position), "finite [m]", at);
+        check(is_finite(p.velocity), "velocity of particle", norm(p.velocity), "finite [m/s]", at);
+        check(is_finite(p.spin), "spin of particle", norm(p.spin), "finite [rad/s]", at);
+        check(p.temperature > 0 && std::isfinite(p.temperature), "temperature of particle", p.temperature,
+              "finite and > 0 [K]", at);
+    }
+    implementation& self = *self_;
+    const std::int64_t first = self.next_id;
+    if (added.empty()) return first;
+    detail::store& all = self.particles;
+    const std::size_t before = all.owned;
+    all.resize(before + added.size());
+    all.owned = all.total();
+    for (std::size_t k = 0; k < added.size(); ++k) {
+        const particle& p = added[k];
+        const std::size_t i = before + k;
+        const double mass = p.density * sphere_volume(p.radius);
+        all.spheres[i] = {p.position, p.radius};
+        all.motions[i] = {p.velocity, 1 / mass, p.spin, 1 / (0.4 * mass * p.radius * p.radius)};
+        all.loads[i] = {};
+        all.ids[i] = first + static_cast<std::int64_t>(k);
+        all.temperatures[i] = p.temperature;
+        if (!all.outer_forces.empty()) all.outer_forces[i] = {};
+    }
+    self.rebuild();
+    try {
+        self.refuse_deep(first);
+    } catch (const motion_error&) {
+        std::vector<index> kept;
+        for (std::size_t i = 0; i < all.owned; ++i)
+            if (all.ids[i] < first) kept.push_back(static_cast<index>(i));
+        self.rebuild(kept);
+        throw;
+    }
+    self.next_id += static_cast<std::int64_t>(added.size());
+    self.loaded = false;
+    return first;
+}
+
+void bed::remove(const std::vector<index>& indices) {
+    implementation& self = *self_;
+    std::vector<char> gone(self.particles.owned, 0);
+    for (const index i : indices) {
+        check(i >= 0 && i < size(), "index of particle to remove", i, "0 <= index < size()");
+        gone[static_cast<std::size_t>(i)] = 1;
+    }
+    std::vector<index> kept;
+    for (index i = 0; i < size(); ++i)
+        if (!gone[static_cast<std::size_t>(i)]) kept.push_back(i);
+    self.rebuild(kept);
+    self.loaded = false;
+}
+
+void bed::advance(int count) {
+    check(count >= 0, "number of steps", count, ">= 0");
+    implementation& self = *self_;
+    using kick = implementation::kick;
+    if (count > 0 && !self.loaded) {
+        if (!self.listed) self.rebuild();
+        self.clear_loads();
+        self.add_forces(0.0);
+        self.loaded = true;
+    }
+    for (int k = 0; k < count; ++k) {
+        if (k == 0) self.move<kick::first>();
+        else self.move<kick::between>();
+        self.move_walls();
+        self.refresh_lists();
+        self.add_forces(self.settings.step);
+        ++self.steps;
+    }
+    if (count > 0) self.move<kick::last>();
+}
+
+double bed::time() const { return static_cast<double>(self_->steps) * self_->settings.step; }
+std::int64_t bed::steps() const { return self_->steps; }
+const bed_settings& bed::settings() const { return self_->settings; }
+void bed::set_gravity(const vector3& gravity) {
+    check(is_finite(gravity), "gravity", norm(gravity), "finite [m/s^2]");
+    self_->settings.gravity = gravity;
+}
+
+index bed::size() const { return static_cast<index>(self_->particles.owned); }
+const sphere* bed::spheres() const { return self_->particles.spheres.data(); }
+const motion* bed::motions() const { return self_->particles.motions.data(); }
+const load* bed::loads() const { return self_->particles.loads.data(); }
+const std::int64_t* bed::ids() const { return self_->particles.ids.data(); }
+double bed::mass(index i) const { return 1 / std::fabs(motions()[i].inverse_mass); }
+double* bed::temperatures() { return self_->particles.temperatures.data(); }
+const double* bed::temperatures() const { return self_->particles.temperatures.data(); }
+
+void bed::set_velocity(index i, const vector3& velocity, const vector3& spin) {
+    HEARTH_ASSERT(i >= 0 && i < size());
+    check(is_finite(velocity) && is_finite(spin), "velocity or spin of particle", norm(velocity), "finite", i);
+    motion& m = self_->particles.motions[static_cast<std::size_t>(i)];
+    m.velocity = velocity;
+    m.spin = spin;
+}
+
+void bed::set_driven(index i, bool driven) {
+    HEARTH_ASSERT(i >= 0 && i < size());
+    double& inverse_mass = self_->particles.motions[static_cast<std::size_t>(i)].inverse_mass;
+    inverse_mass = std::copysign(inverse_mass, driven ? -1.0 : 1.0);
+}
+
+void bed::set_outer_force(index i, const vector3& force) {
+    HEARTH_ASSERT(i >= 0 && i < size());
+    check(is_finite(force), "outer force on particle", norm(force), "finite [N]", i);
+    auto& all = self_->particles;
+    if (all.outer_forces.empty()) all.outer_forces.resize(all.total());
+    const auto at = static_cast<std::size_t>(i);
+    all.loads[at].force += force - all.outer_forces[at];
+    all.outer_forces[at] = force;
+}
+
+std::uint64_t bed::revision() const { return self_->revision; }
+std::int64_t bed::rebuilds() const { return self_->rebuilds; }
+void bed::expire_lists() { self_->listed = false; }
+
+std::size_t bed::memory() const {
+    std::size_t bytes = self_->particles.bytes() + self_->pairs.bytes() + self_->built.capacity() * sizeof(sphere);
+    for (const auto& w : self_->walls) {
+        bytes += w.candidates.capacity() * sizeof(w.candidates[0]) +
+                 (w.springs.capacity() + w.rolls.capacity()) * sizeof(vector3);
+    }
+    return bytes;
+}
+
+const std::vector<bed::pair>& bed::candidate_pairs() const { return self_->pairs.pairs; }
+std::vector<bed::touch> bed::wall_touches() const {
+    std::vector<touch> all;
+    std::vector<detail::wall_list::touch> found;
+    for (std::size_t w = 0; w < self_->walls.size(); ++w) {
+        found.clear();
+        self_->walls[w].find_touches(spheres(), found);
+        for (const auto& t : found) {
+            const index i = self_->walls[w].candidates[t.candidate].particle;
+            all.push_back({i, static_cast<int>(w), spheres()[i].radius - std::sqrt(t.squared_distance), t.foot});
+        }
+    }
+    return all;
+}
+
+double bed::advised_step(double speed, double steps_per_contact) const {
+    check(speed > 0 && std::isfinite(speed), "speed", speed, "finite and > 0 [m/s]");
+    check(steps_per_contact > 0, "steps_per_contact", steps_per_contact, "> 0 [-]");
+    double shortest = std::numeric_limits<double>::infinity();
+    for (index i = 0; i < size(); ++i) {
+        const double radius = spheres()[i].radius, m = mass(i);
+        shortest = std::fmin(shortest, hertz_impact{radius / 2, m / 2, self_->law.effective_modulus, speed}.duration());
+        for (const auto& w : self_->walls) {
+            shortest = std::fmin(shortest, hertz_impact{radius, m, w.law.effective_modulus, speed}.duration());
+        }
+    }
+    return shortest / steps_per_contact;
+}
+
+}  // namespace hearth::dem
