@@ -176,17 +176,16 @@ constexpr description<6> contact<c::zhang::micro_gap>::about() {
 template <class Closure, bool Wall>
 struct film {
     static constexpr description<7> about() {
-        constexpr bool own_length = std::is_same_v<Closure, c::rong_horio>;  // its shortest gap is 0.4 nm
-        return {own_length ? (Wall ? "rong_horio (wall)" : "rong_horio") : (Wall ? "gas_film (wall)" : "gas_film"),
-                {{{1e-7, 1e-3, metre},
+        constexpr bool lens = std::is_same_v<Closure, c::rong_horio>;
+        return {lens ? (Wall ? "rong_horio (wall)" : "rong_horio") : (Wall ? "gas_film (wall)" : "gas_film"),
+                {{{1e-7, 1e-4, metre},
                   {2e-3, 2e-2, metre},
                   {2e-3, 2e-2, metre},
                   {0.5, 100, conductivity_unit},
                   {0.5, 100, conductivity_unit},
                   {0.02, 0.2, conductivity_unit},
                   {0.36, 0.9}}},
-                watt_per_kelvin,
-                own_length ? scaling::none : scaling::any};
+                watt_per_kelvin};
     }
     template <class Scalar>
     HEARTH_FUNCTION Scalar operator()(const Scalar* x) const {
@@ -340,7 +339,7 @@ void for_each_closure(Visit&& visit) {
     visit(probes::hertz_radius{});
     visit(probes::hertz_softened{});
     visit(probes::contact<c::zhang::constriction>{});
-    visit(probes::contact<c::zhang::series>{c::zhang::series(1e-6)});
+    visit(probes::contact<c::zhang::series>{c::zhang::series()});
     visit(probes::contact<c::zhang::micro_gap>{c::zhang::micro_gap({1e-6, 0.1, 2e9})});
     visit(probes::film<c::gas_film, false>{});
     visit(probes::film<c::gas_film, true>{});

@@ -52,7 +52,7 @@ class feng_han::monte_carlo_fit {
         const Scalar s = maximum(distance_ratio, uniform(distance_ratio, real(1)));
         const Scalar dense = solid_fraction - real(0.6);
         const Scalar logarithm_of_f = select(s < real(kink()), near(s, dense), far(s, dense));
-        return select(s <= real(4), exponential(logarithm_of_f), uniform(s, real(0)));
+        return select(s > real(4), uniform(s, real(0)), exponential(logarithm_of_f));
     }
 
   private:

@@ -84,7 +84,7 @@ struct gas_film {
             sum = sum + rule::weight(k) * w * sinh * cosh / ((w - r * q) * solid + faces * (open + depth));
         }
         const Scalar integral = real(4) * constants<real>::pi() * scale * last * sum;
-        return select(half_gap <= real(0.5) * radius, integral, zero);
+        return select(half_gap > real(0.5) * radius, zero, integral);
     }
 };
 
