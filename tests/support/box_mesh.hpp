@@ -192,6 +192,17 @@ inline std::vector<int> random_owners(int cells, int ranks, std::uint64_t seed) 
     return owners;
 }
 
+/// Sum of volume times field [m^3].
+template <class Mesh>
+double solid_volume(const Mesh& mesh, const std::vector<double>& field) {
+    long double sum = 0;
+    for (std::size_t c = 0; c < field.size(); ++c) {
+        const auto volume = mesh_traits<Mesh>::volume(mesh, static_cast<int>(c));
+        sum += static_cast<long double>(field[c]) * static_cast<long double>(volume);
+    }
+    return static_cast<double>(sum);
+}
+
 }  // namespace hearth::test
 
 template <>

@@ -22,11 +22,13 @@ struct packing {
     point size{1, 1, 1};
     std::array<bool, 3> periodic{false, false, false};
 
-    double solid_fraction() const {
-        double volume = 0;
-        for (const double r : radii) volume += 4.0 / 3.0 * 3.14159265358979323846 * r * r * r;
-        return volume / (size[0] * size[1] * size[2]);
+    /// Of all spheres [m^3].
+    double volume() const {
+        double sum = 0;
+        for (const double r : radii) sum += 4.0 / 3.0 * 3.14159265358979323846 * r * r * r;
+        return sum;
     }
+    double solid_fraction() const { return volume() / (size[0] * size[1] * size[2]); }
 };
 
 struct packing_settings {

@@ -12,6 +12,7 @@
 #include <hearth/voidage/deposit.hpp>
 
 #include "support/box_mesh.hpp"
+#include "support/complaint.hpp"
 #include "support/exact.hpp"
 #include "support/packing.hpp"
 #include "support/random.hpp"
@@ -33,19 +34,6 @@ std::vector<double> deposited(const Mesh& mesh, const Cloud& cloud, const Policy
     std::vector<double> field(static_cast<std::size_t>(graph.cell_count()), -1.0);
     hearth::deposit_solid_fraction(locator, cloud, field, policy);
     return field;
-}
-
-template <class Mesh>
-double solid_volume(const Mesh& mesh, const std::vector<double>& field) {
-    long double sum = 0;
-    for (std::size_t c = 0; c < field.size(); ++c) {
-        sum += static_cast<long double>(field[c]) * static_cast<long double>(hearth::mesh_traits<Mesh>::volume(mesh, static_cast<int>(c)));
-    }
-    return static_cast<double>(sum);
-}
-
-double sphere_volume(const packing& bed) {
-    return bed.solid_fraction() * bed.size[0] * bed.size[1] * bed.size[2];
 }
 
 /// Spheres anywhere in a unit box.
@@ -84,18 +72,6 @@ hearth::lattice unit_lattice(int cells) {
     return {{{cells, cells, cells}, {h, h, h}, {false, false, false}, {0, 0, 0}}};
 }
 
-template <class Body>
-std::string complaint(Body&& body) {
-    try {
-        body();
-    } catch (const hearth::bad_value& error) {
-        return error.what();
-    }
-    return "";
-}
-
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 }  // namespace
 
 TEST_CASE_TEMPLATE("deposit: keeps the solid volume on any mesh, for particles of any size", Policy,
@@ -108,7 +84,7 @@ TEST_CASE_TEMPLATE("deposit: keeps the solid volume on any mesh, for particles o
         const packing bed = random_spheres(random, 20, 1e-3, 0.6);
         const std::vector<double> field = deposited(mesh, bed, Policy{});
         // Every share and every sum rounds once for each particle that a cell has: 20 and a few, relative to the total.
-        CHECK(solid_volume(mesh, field) == doctest::Approx(sphere_volume(bed)).epsilon(40 * 2.3e-16));
+        CHECK(solid_volume(mesh, field) == doctest::Approx(bed.volume()).epsilon(40 * 2.3e-16));
         for (const double fraction : field) CHECK(fraction >= 0);
     }
 }
@@ -178,7 +154,7 @@ TEST_CASE("deposit: the ramp is defined and continuous at every ratio of particl
         // A share changes by at most 1e-6 / 1.25 of the volume of its cell, the sum of all shares by as much for each
         // cell, and the cell of the centre has 0.2 of its volume at least.  A particle of a cell's size touches up to 27
         // cells, as in the bar of 1e-4 for the field.
-        CHECK(change <= 1e-4 * sphere_volume(bed));
+        CHECK(change <= 1e-4 * bed.volume());
     }
 }
 
@@ -212,7 +188,7 @@ TEST_CASE("deposit: the ramp tends to the exact overlap of sphere and cell as ce
                 const double cell = hearth::mesh_traits<hearth::lattice>::volume(mesh, c);
                 difference += std::abs(field[static_cast<std::size_t>(c)] * cell - sphere_box_overlap(0.25, low, high));
             }
-            volume += sphere_volume(bed);
+            volume += bed.volume();
         }
         // Only cells that the surface cuts differ, a layer of 1.5 h (mean width of a cube) around it or 4.5 h/R of the
         // volume.  A ramp of 1.25 h instead of the projection of a cube of mean width 1.5 h about its own chord, both from
@@ -226,10 +202,10 @@ TEST_CASE("deposit: the ramp tends to the exact overlap of sphere and cell as ce
 TEST_CASE("deposit: what hangs over a wall goes to the cells inside, over a periodic side to the other end") {
     hearth::lattice mesh = unit_lattice(8);
     const packing bed = one_sphere({1e-3, 0.5, 0.5}, 0.25);
-    CHECK(solid_volume(mesh, deposited(mesh, bed)) == doctest::Approx(sphere_volume(bed)).epsilon(1e-15));
+    CHECK(solid_volume(mesh, deposited(mesh, bed)) == doctest::Approx(bed.volume()).epsilon(1e-15));
     mesh.periodic = {true, true, true};
     const auto field = deposited(mesh, bed);
-    CHECK(solid_volume(mesh, field) == doctest::Approx(sphere_volume(bed)).epsilon(1e-15));
+    CHECK(solid_volume(mesh, field) == doctest::Approx(bed.volume()).epsilon(1e-15));
     CHECK(field[7 + 8 * (4 + 8 * 4)] > 0.9);
     // Moved by whole cells (a multiple of 1/8 is exact in binary), the field moves with it to the last bit.
     packing moved = bed;
@@ -246,7 +222,7 @@ TEST_CASE("deposit: what hangs over a wall goes to the cells inside, over a peri
     }
     // A sphere as wide as the box touches itself through the sides.
     const packing large = one_sphere({0.1, 0.2, 0.3}, 0.55);
-    CHECK(solid_volume(mesh, deposited(mesh, large)) == doctest::Approx(sphere_volume(large)).epsilon(1e-15));
+    CHECK(solid_volume(mesh, deposited(mesh, large)) == doctest::Approx(large.volume()).epsilon(1e-15));
 }
 
 TEST_CASE("deposit: a mirror-symmetric bed gives a mirror-symmetric field") {

@@ -13,6 +13,7 @@
 #include <hearth/voidage/kernel_smoother.hpp>
 
 #include "support/box_mesh.hpp"
+#include "support/complaint.hpp"
 #include "support/random.hpp"
 #include "support/thread_communicator.hpp"
 
@@ -69,18 +70,6 @@ std::vector<double> diffused(const Graph& graph, std::vector<double> field, doub
     }
     return field;
 }
-
-template <class Body>
-std::string complaint(Body&& body) {
-    try {
-        body();
-    } catch (const hearth::bad_value& error) {
-        return error.what();
-    }
-    return "";
-}
-
-bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
@@ -246,7 +235,7 @@ TEST_CASE("kernel smoother: leaves single cells, islands and a width of zero alo
     hearth::kernel_smoother(two, 100.0).smooth(field);
     // Long mixed: the mean, to the tolerance of the series.
     CHECK(static_cast<double>(field[0]) == doctest::Approx(0.5).epsilon(1e-3));
-    CHECK(field[0] + field[1] == doctest::Approx(1.0F).epsilon(1e-6));
+    CHECK(static_cast<double>(field[0] + field[1]) == doctest::Approx(1.0).epsilon(1e-6));
 }
 
 TEST_CASE("kernel smoother: bad input is refused on all ranks and the field stays") {

@@ -21,10 +21,9 @@ namespace hearth {
 
 /// An axis-aligned box [m]; empty where low > high.
 struct box {
-    point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-              std::numeric_limits<double>::infinity()};
-    point high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-               -std::numeric_limits<double>::infinity()};
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    point low{infinity, infinity, infinity};
+    point high{-infinity, -infinity, -infinity};
 };
 
 /// Finds the cells near a sphere, from the centres and extents of the cells alone, so that it works on any mesh, on a
@@ -63,8 +62,6 @@ class cell_locator {
     const cell_graph<Communicator>& graph() const { return *graph_; }
     const Communicator& communicator() const { return graph_->communicator(); }
 
-    /// Lengths after which the mesh repeats itself [m]; 0 along axes on which it does not.
-    const point& period() const { return period_; }
     /// Largest cell and sum of all cells, over all ranks [m^3].
     double largest_volume() const { return largest_volume_; }
     double total_volume() const { return total_volume_; }
@@ -159,9 +156,8 @@ class cell_locator {
             for (std::size_t a = 0; a < 3; ++a) {
                 p.centre[a] = static_cast<double>(centre[a]);
                 if (!std::isfinite(p.centre[a])) complain("centre of cell", c, p.centre[a], "finite [m]");
-                if (!(p.extent[a] > 0 && std::isfinite(p.extent[a]))) {
-                    complain("extent of cell", c, p.extent[a], "finite and > 0 [m]");
-                }
+                const bool positive = p.extent[a] > 0 && std::isfinite(p.extent[a]);
+                if (!positive) complain("extent of cell", c, p.extent[a], "finite and > 0 [m]");
                 reach_.low[a] = std::min(reach_.low[a], p.centre[a] - widest * p.extent[a]);
                 reach_.high[a] = std::max(reach_.high[a], p.centre[a] + widest * p.extent[a]);
             }
@@ -175,9 +171,7 @@ class cell_locator {
     }
 
     void sort(std::vector<placed> cells) {
-        const auto size_class = [](const placed& p) {
-            return std::ilogb(std::max({p.extent[0], p.extent[1], p.extent[2]}));
-        };
+        const auto size_class = [](const placed& p) { return std::ilogb(std::max({p.extent[0], p.extent[1], p.extent[2]})); };
         std::stable_sort(cells.begin(), cells.end(),
                          [&](const placed& a, const placed& b) { return size_class(a) < size_class(b); });
         for (std::size_t begin = 0, end = 0; begin < cells.size(); begin = end) {
@@ -273,7 +267,7 @@ class cell_locator {
         const double* v = graph_->volumes();
         const double mine = count == 0 ? 0.0 : *std::max_element(v, v + count);
         largest_volume_ = communicator().max(mine);
-        reproducible_sum total(largest_volume_, std::int64_t{1} << 40);
+        reproducible_sum total(largest_volume_, std::int64_t{1} << 36);
         for (std::size_t c = 0; c < count; ++c) total.add(v[c]);
         communicator().sum(total.limbs(), reproducible_sum::limb_count());
         total_volume_ = total.value();

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include <hearth/core/cell_locator.hpp>
@@ -214,7 +215,8 @@ deposit_report deposit_solid_fraction(const cell_locator<Mesh, Communicator>& lo
     for (std::int32_t c = 0; c < graph.cell_count(); ++c) {
         const double fraction = volumes[static_cast<std::size_t>(c)] / graph.volume(c);
         report.maximum = std::max(report.maximum, fraction);
-        solid_fraction[c] = static_cast<std::decay_t<decltype(solid_fraction[c])>>(fraction);
+        auto&& target = solid_fraction[static_cast<std::size_t>(c)];
+        target = static_cast<std::decay_t<decltype(target)>>(fraction);
     }
     report.maximum = graph.communicator().max(report.maximum);
     return report;

@@ -88,17 +88,12 @@ class lattice_stencil {
                 const double sum = g_[2] * (below[i] - here[i]) + g_[1] * (south[i] - here[i]) +
                                    g_[0] * (here[i - 1] - here[i]) + g_[0] * (here[i + 1] - here[i]) +
                                    g_[1] * (north[i] - here[i]) + g_[2] * (above[i] - here[i]);
-                assign(output, row + i,
-                       term.c * static_cast<double>(input[row + i]) + term.factor * (here[i] + rate * sum) -
-                           b_before[row + i]);
+                const auto at = static_cast<std::size_t>(row + i);
+                const double value = term.c * static_cast<double>(input[at]) + term.factor * (here[i] + rate * sum) - b_before[at];
+                output[at] = static_cast<std::decay_t<decltype(output[at])>>(value);
             }
             if (nx > 1) general(row + nx - 1, term, input, b, b_before, output);
         }
-    }
-
-    template <class Output>
-    static void assign(Output& output, std::int64_t cell, double value) {
-        output[cell] = static_cast<std::decay_t<decltype(output[cell])>>(value);
     }
 
     std::array<std::int32_t, 3> cells_;
