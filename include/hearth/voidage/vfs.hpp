@@ -128,6 +128,8 @@ class volume_fraction_smoother {
     const Graph& graph() const { return mesh_.graph(); }
     const vfs_settings& settings() const { return settings_; }
 
+    /// Bytes that this rank holds, the graph and the log aside.
+    std::size_t memory() const { return mesh_.memory() + cells_.memory() + wave_.memory() + completion_.memory(); }
     /// Bytes of the record of the last call, kept for scatter() and gather().
     std::size_t log_memory() const { return log_.memory(); }
 
@@ -193,7 +195,7 @@ class volume_fraction_smoother {
         });
         report.maximum = graph().communicator().max(maximum);
         report.touched_cells = total(touched);
-        report.smoothed_cells = total(log_.size());
+        report.smoothed_cells = total(wave_.smoothed_cells());
         return report;
     }
 

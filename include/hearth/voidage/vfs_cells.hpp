@@ -260,6 +260,10 @@ class smoothing_cells {
 
     void prefetch(index cell) const { detail::prefetch(&(*this)[cell]); }
 
+    std::size_t memory() const {
+        return contents_.capacity() * sizeof(content) + touched_.capacity() * sizeof(index);
+    }
+
   private:
     std::vector<content> contents_;
     std::vector<index> touched_;

@@ -62,6 +62,11 @@ class smoothing_completion {
         if constexpr (is_distributed) directory_.reduce(mesh_.graph().communicator(), pieces_, zero, sums);
     }
 
+    std::size_t memory() const {
+        return pieces_.memory() + directory_.memory() + reach_.capacity() * sizeof(region_id) +
+               meetings_.capacity() * sizeof(meetings_[0]) +
+               (region_of_.capacity() + growing_.capacity() + reached_.capacity() + changed_.capacity()) * sizeof(index);
+    }
     int rings() const { return rings_; }
     std::int64_t visited_cells() const { return static_cast<std::int64_t>(pieces_.members().size()); }
 
@@ -207,15 +212,19 @@ class smoothing_completion {
 
     /// What a region does with its excess.
     struct outcome {
-        double excess = 0;   // of the region [m^3]
+        double placed = 0;   // in cells with room [m^3]
         double share = 0;    // of the room at the front that is taken
         double surplus = 0;  // fraction above the threshold, where the component is exhausted: round-off
+        double stays = 0;    // part of the excess that is this surplus; the log leaves it where it was
     };
     static outcome outcome_of(const region_account& account, region_state state) {
+        const double excess = account.excess.value();
         const double rest = account.rest();
+        if (state == region_state::exhausted) {
+            return {account.filled.value(), 0, rest / account.volume.value(), rest / excess};
+        }
         const double free = account.free.value();
-        return {account.excess.value(), free > 0 ? rest / free : 0,
-                state == region_state::exhausted ? rest / account.volume.value() : 0};
+        return {excess, free > 0 ? rest / free : 0, 0, 0};
     }
 
     void place_excess(double threshold, smoothing_cells& cells, smoothing_log& log) {
@@ -233,14 +242,15 @@ class smoothing_completion {
             const index region = pieces_.find(region_of_[static_cast<std::size_t>(member.cell)]);
             const outcome& result = outcomes[static_cast<std::size_t>(region)];
             const double before = cells.fraction(member.cell);
-            const double taken = room(cells, member.cell, threshold) * (member.at_front ? result.share : 1) + result.surplus;
-            const double after = member.at_front ? std::min(threshold, before + taken) : threshold + result.surplus;
-            cells.set_fraction(member.cell, after);
+            const double taken = room(cells, member.cell, threshold) * (member.at_front ? result.share : 1);
             if (count++ < stuck_count_) {
-                log.append_giving(member.cell, region, after / before);
+                const double kept = threshold + cells.above(member.cell, threshold) * result.stays;
+                log.append_giving(member.cell, region, kept / before);
             } else if (taken > 0) {
-                log.append_receiving(member.cell, region, taken * mesh_.volume(member.cell) / result.excess);
+                log.append_receiving(member.cell, region, taken * mesh_.volume(member.cell) / result.placed);
             }
+            const double after = member.at_front ? std::min(threshold, before + taken) : threshold;
+            cells.set_fraction(member.cell, after + result.surplus);
         }
         log.set_pools(pieces_.size());
     }

@@ -156,6 +156,13 @@ class region_directory {
             [&](index piece, const part& total) { sums[static_cast<std::size_t>(piece)] = total.sum; });
     }
 
+    std::size_t memory() const {
+        std::size_t addresses = 0;
+        for (const record& region : records_) addresses += region.pieces.capacity();
+        return records_.capacity() * sizeof(record) + addresses * sizeof(address) + notes_.capacity() * sizeof(note) +
+               (homes_.capacity() + piece_of_.size()) * sizeof(region_id);
+    }
+
   private:
     struct address {
         std::int32_t rank = -1;

@@ -40,7 +40,7 @@ class smoothing_log {
         kept_.push_back(kept);
         receivers_.insert(receivers_.end(), bits, bits + bytes);
     }
-    void end_sweep() { sweep_ends_.push_back(cells_.size()); }
+    void end_sweep() { sweep_ends_.push_back(static_cast<std::uint32_t>(cells_.size())); }
 
     /// Bytes that the bits of a row of so many neighbours take.
     static std::size_t row_bytes(std::size_t neighbours) { return (neighbours + 7) / 8; }
@@ -50,7 +50,6 @@ class smoothing_log {
     std::size_t sweep_end(std::size_t sweep) const { return sweep_ends_[sweep]; }
     index cell(std::size_t entry) const { return cells_[entry]; }
     double kept(std::size_t entry) const { return kept_[entry]; }
-    std::size_t size() const { return cells_.size(); }
     const std::uint8_t* bits() const { return receivers_.data(); }
     const std::uint8_t* bits_end() const { return receivers_.data() + receivers_.size(); }
 
@@ -71,14 +70,14 @@ class smoothing_log {
     /// Bytes in use.
     std::size_t memory() const {
         return cells_.size() * (sizeof(index) + sizeof(double)) + receivers_.size() +
-               sweep_ends_.size() * sizeof(std::size_t) + (giving_.size() + receiving_.size()) * sizeof(pool_entry);
+               sweep_ends_.size() * sizeof(std::uint32_t) + (giving_.size() + receiving_.size()) * sizeof(pool_entry);
     }
 
   private:
     std::vector<index> cells_;
     std::vector<double> kept_;
     std::vector<std::uint8_t> receivers_;
-    std::vector<std::size_t> sweep_ends_;
+    std::vector<std::uint32_t> sweep_ends_;
     std::vector<pool_entry> giving_;
     std::vector<pool_entry> receiving_;
     std::int32_t pools_ = 0;

@@ -141,6 +141,10 @@ class region_pieces {
 
     const std::vector<member>& members() const { return members_; }
 
+    std::size_t memory() const {
+        return pieces_.capacity() * sizeof(piece) + members_.capacity() * sizeof(member);
+    }
+
   private:
     reproducible_sum zero_{1, 1};
     std::vector<piece> pieces_;

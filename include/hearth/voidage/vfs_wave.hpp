@@ -41,6 +41,7 @@ class smoothing_wave {
         next_.clear();
         stuck_.clear();
         sweeps_ = 0;
+        smoothed_ = 0;
     }
 
     /// Says, before run(), that a cell is over-full.
@@ -64,8 +65,16 @@ class smoothing_wave {
     }
 
     int sweeps() const { return sweeps_; }
+    /// Owned cells that gave.
+    std::int64_t smoothed_cells() const { return smoothed_; }
     /// Owned cells above the threshold that had no neighbour to give to, in the order of the sweeps.
     const std::vector<index>& stuck_cells() const { return stuck_; }
+
+    std::size_t memory() const {
+        return (next_.capacity() + front_.capacity() + stuck_.capacity() + receivers_.capacity() + givers_.capacity()) *
+                   sizeof(index) +
+               shares_.capacity() * sizeof(share) + bits_.capacity();
+    }
 
   private:
     /// What a cell gives to each neighbour that is not marked: the increment of fraction [-], in two parts.
@@ -148,10 +157,10 @@ class smoothing_wave {
             return {};
         }
         const double volume = mesh_.volume(cell);
-        const two_sum excess(cells[cell].value, -threshold);
+        const two_sum above(cells[cell].value, -threshold);
+        const two_sum excess(above.sum, above.error + static_cast<double>(cells[cell].rest));
         const double product = excess.sum * volume;
-        const double product_rest = std::fma(excess.sum, volume, -product) +
-                                    (excess.error + static_cast<double>(cells[cell].rest)) * volume;
+        const double product_rest = std::fma(excess.sum, volume, -product) + excess.error * volume;
         const double amount = product / receiver_volume_;
         const double rest = std::fma(-amount, receiver_volume_, product) + product_rest - amount * receiver_volume_rest_;
         return {amount, static_cast<float>(rest / receiver_volume_)};
@@ -166,11 +175,14 @@ class smoothing_wave {
             smoothing_cells::content& receiver = cells.touch(n, read);
             const bool had_room = receiver.value <= threshold;
             const two_sum grown(receiver.value, given.amount);
-            receiver.value = grown.sum;
-            receiver.rest += static_cast<float>(grown.error) + given.rest;
-            if (had_room && grown.sum > threshold) next_.push_back(n);
+            const two_sum rounded(grown.sum, grown.error + static_cast<double>(receiver.rest + given.rest));
+            receiver.value = rounded.sum;
+            receiver.rest = static_cast<float>(rounded.error);
+            if (had_room && receiver.value > threshold) next_.push_back(n);
         }
+        if (is_distributed && cell >= mesh_.owned()) return;
         cells.set_fraction(cell, threshold);
+        ++smoothed_;
     }
 
     const mesh_type& mesh_;
@@ -186,6 +198,7 @@ class smoothing_wave {
     std::vector<share> shares_;  // distributed only
     std::vector<index> givers_;  // distributed only: owned cells and ghosts
     int sweeps_ = 0;
+    std::int64_t smoothed_ = 0;
 };
 
 }  // namespace hearth::detail
