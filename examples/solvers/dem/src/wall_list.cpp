@@ -111,21 +111,20 @@ void wall_list::find_touches(const sphere* spheres, std::vector<touch>& touches)
     }
 }
 
-/// Of contacts of one particle, keeps those whose foot does not lie on a facet that is closer.
+/// Of contacts of one particle, keeps those whose foot does not lie on a facet that is closer: elsewhere the foot is no
+/// closest point of the wall.
 void wall_list::drop_shared(const sphere& s, std::vector<touch>& touches, std::size_t first) const {
     const auto begin = touches.begin() + static_cast<std::ptrdiff_t>(first);
     std::stable_sort(begin, touches.end(),
                      [](const touch& a, const touch& b) { return a.squared_distance < b.squared_distance; });
-    auto kept = begin;
     const double near = 1e-6 * s.radius;  // a foot on a shared edge is the same point but for rounding
-    for (auto t = begin; t != touches.end(); ++t) {
-        const bool shared = std::any_of(begin, kept, [&](const touch& closer) {
+    for (auto t = touches.end(); t-- != begin;) {
+        const bool shared = std::any_of(begin, t, [&](const touch& closer) {
             const vector3 gap = t->foot - closest(candidates[closer.candidate].facet, t->foot);
             return dot(gap, gap) < near * near;
         });
-        if (!shared) *kept++ = *t;
+        if (shared) touches.erase(t);
     }
-    touches.erase(kept, touches.end());
     std::sort(begin, touches.end(), [](const touch& a, const touch& b) { return a.candidate < b.candidate; });
 }
 
