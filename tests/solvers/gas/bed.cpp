@@ -147,6 +147,7 @@ TEST_CASE("bed: a uniform state stays uniform for any void fraction, as it moves
     const mesh m(box(graded(1, 5), graded(1, 4), graded(1, 6)));
     for (const double storage : {1.0, 1.0 / 678, 1e-4, 0.0}) {
         for (const double dt : {1e-6, 1e-2, 1e3}) {
+            if (storage == 0 && dt < 1e-3) continue;  // gas without storage squeezed out of moving voids within 1 us
             auto settings = isothermal();
             settings.energy = true;
             settings.tolerance = 1e-9;

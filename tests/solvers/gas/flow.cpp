@@ -94,6 +94,7 @@ errors solve_manufactured(const mesh& m, double reynolds) {
     flow_settings settings;
     settings.inertia = false;
     settings.resistance_floor = 1;
+    settings.relaxation = 0.9;
     solver.iterate(state, medium, boundary, {}, settings);
     settings.inertia = true;
     int i = 0;

@@ -23,6 +23,7 @@ void flow::assemble_momentum(const flow_state& state, const flow_medium& medium,
     for (int c = 0; c < m.cells(); ++c) inverse_void_[c] = 1 / medium.void_fraction[c];
     std::fill(source_.begin(), source_.end(), vector3{});
     std::fill(coupling_.begin(), coupling_.end(), 0.0);
+    std::fill(total_.begin(), total_.end(), 0.0);
     momentum_.clear();
     if (settings.inertia) add_convection_and_diffusion(state, medium, boundary);
 
@@ -95,26 +96,30 @@ void flow::add_convection_and_diffusion(const flow_state& state, const flow_medi
             if (q < m.owned_cells()) source_[q] -= iq * (viscosity - mu_q) * turned;
         }
         source_[p] += ip * force;
+        momentum_.diagonal[p] += into_p * ip;
         coupling_[p] += into_p * ip;
         momentum_.entry[pattern_->owner_entry[f]] = -into_p * ip;
         // w.grad u = div(F w / e_f) - (w / e_P) div F: upwind differences, and what a change of e does to w (Bernoulli)
         const double squeeze_p = flux * (inverse_void - ip) * ip, squeeze_q = -flux * (inverse_void - iq) * iq;
-        momentum_.diagonal[p] += squeeze_p;
+        total_[p] += squeeze_p;
         if (q < m.owned_cells()) {
             source_[q] -= iq * force;
+            momentum_.diagonal[q] += into_q * iq;
             coupling_[q] += into_q * iq;
             momentum_.entry[pattern_->neighbour_entry[f]] = -into_q * iq;
-            momentum_.diagonal[q] += squeeze_q;
+            total_[q] += squeeze_q;
         }
     }
     for (int f = internal; f < m.faces(); ++f) {
         const int p = m.owner[f], b = f - internal;
         if (boundary.type[b] == kind::slip) continue;
         const bool fixed = boundary.type[b] != kind::outlet;
-        double into = boundary.type[b] == kind::inlet ? std::max(-state.mass_flux[f], 0.0) * inverse_void_[p] : 0;
+        double into = std::max(-state.mass_flux[f], 0.0) * inverse_void_[p];
         if (fixed) into += boundary.wall_viscosity[b] * m.conductance[f];
+        momentum_.diagonal[p] += into * inverse_void_[p];
         coupling_[p] += into * inverse_void_[p];
-        vector3 force = into * boundary_velocity_[b];
+        // what comes back through an outlet was at rest outside; carried in with the cell's momentum it would grow
+        vector3 force = fixed ? into * boundary_velocity_[b] : vector3{};
         if (boundary.type[b] == kind::inlet && state.mass_flux[f] > 0)  // suction with a given velocity
             force -= state.mass_flux[f] * inverse_void_[p] * (boundary_velocity_[b] - state.velocity[p]);
         if (fixed) {
@@ -124,12 +129,9 @@ void flow::add_convection_and_diffusion(const flow_state& state, const flow_medi
         source_[p] += inverse_void_[p] * force;
     }
     for (int c = 0; c < m.owned_cells(); ++c) {
-        double& own = momentum_.diagonal[c];
-        if (own < 0) {  // accelerating into a narrower void: keep the matrix an M-matrix
-            source_[c] -= own * state.velocity[c];
-            own = 0;
-        }
-        own += coupling_[c];
+        // accelerating into a narrower void would take from the diagonal: then it is a force
+        if (total_[c] > 0) momentum_.diagonal[c] += total_[c];
+        else source_[c] -= total_[c] * state.velocity[c];
     }
 }
 
@@ -138,19 +140,21 @@ void flow::predict(flow_state& state, const flow_medium& medium, const flow_hist
     const mesh& m = *mesh_;
     const int n = m.owned_cells();
     previous_ = state.velocity;
+    const auto before = [&](int c) {  // velocity of the step before, for the void fraction of now
+        return medium.void_fraction[c] / history.void_fraction[c] * history.velocity[c];
+    };
     if (settings.inertia) {
         std::vector<vector3>& right = drive_;
         for (int c = 0; c < n; ++c) {
             right[c] = source_[c] - m.volume[c] * state.pressure_gradient[c] + relax_[c] * state.velocity[c];
-            if (history.step > 0)
-                right[c] += inertia_[c] * medium.void_fraction[c] / history.void_fraction[c] * history.velocity[c];
+            if (history.step > 0) right[c] += inertia_[c] * before(c);
         }
         for (int i = 0; i < settings.momentum_sweeps; ++i) {
             gauss_seidel<3>(momentum_, &right[0].x, &state.velocity[0].x, i % 2 == 1);
             ranks_->gather(&state.velocity[0].x, 3);
         }
     }
-    // forces on the cell with its own share of the couplings taken off (SIMPLEC), per volume from here on
+    // What drives each cell with its own share of the couplings taken off (SIMPLEC), per volume from here on.
     for (int c = 0; c < n; ++c) {
         vector3 force = source_[c] - coupling_[c] * state.velocity[c];
         for (int i = pattern_->first[c]; i < pattern_->first[c + 1]; ++i)

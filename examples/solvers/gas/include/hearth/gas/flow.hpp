@@ -49,7 +49,9 @@ struct flow_history {
 };
 
 struct flow_settings {
-    double relaxation = 0.9;            ///< of the momentum equation, (0, 1]; the steady result does not depend on it
+    /// Of the momentum equation, (0, 1]; the steady result does not depend on it.  0.9 is faster where friction rules,
+    /// above 0.8 free jets at high Reynolds number may not settle. [-]
+    double relaxation = 0.7;
     bool inertia = true;                ///< false: Darcy-Forchheimer, only resistance and body forces
     /// Least resistance [kg/(m^3 s)].  Without inertia it is what gas outside the bed feels; with inertia it only relaxes.
     double resistance_floor = 1e-3;
