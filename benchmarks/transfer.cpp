@@ -60,23 +60,25 @@ const auto& kiln() {
 double no_wall(int) { return 300; }
 
 double rate_error(const std::vector<double>& heat) {
+    using exactly = long double;
     const auto list = kiln().links(bed(), bed());
-    std::vector<long double> exact(heat.size(), 0.0L);
-    const auto& t = bed().temperature;
-    const auto fourth = [](long double x) { return x * x * x * x; };
+    std::vector<exactly> exact(heat.size(), 0.0L);
+    const std::vector<exactly> t(bed().temperature.begin(), bed().temperature.end());
+    const auto fourth = [](exactly x) { return x * x * x * x; };
     for (const auto& pair : list.pairs) {
         const auto a = warm_bed::at(pair.first), b = warm_bed::at(pair.second);
-        const long double q = pair.link.conductance * (static_cast<long double>(t[b]) - t[a]) +
-                              pair.link.radiation * (fourth(t[b]) - fourth(t[a]));
+        const exactly q = static_cast<exactly>(pair.link.conductance) * (t[b] - t[a]) +
+                          static_cast<exactly>(pair.link.radiation) * (fourth(t[b]) - fourth(t[a]));
         exact[a] += q;
         exact[b] -= q;
     }
     for (const auto& open : list.surroundings)
         exact[warm_bed::at(open.particle)] +=
-            open.link.radiation * (fourth(open.temperature) - fourth(t[warm_bed::at(open.particle)]));
-    long double error = 0, largest = 0;
+            static_cast<exactly>(open.link.radiation) *
+            (fourth(static_cast<exactly>(open.temperature)) - fourth(t[warm_bed::at(open.particle)]));
+    exactly error = 0, largest = 0;
     for (std::size_t i = 0; i < heat.size(); ++i) {
-        error = std::fmax(error, std::fabs(heat[i] - exact[i]));
+        error = std::fmax(error, std::fabs(static_cast<exactly>(heat[i]) - exact[i]));
         largest = std::fmax(largest, std::fabs(exact[i]));
     }
     return static_cast<double>(error / largest);

@@ -82,6 +82,7 @@
 #include <hearth/transfer/term.hpp>
 
 #include <hearth/time/acceleration_switch.hpp>
+#include <hearth/time/advance.hpp>
 #include <hearth/time/caloric.hpp>
 #include <hearth/time/drying_step.hpp>
 #include <hearth/time/gas_exchange.hpp>

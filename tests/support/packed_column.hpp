@@ -37,7 +37,8 @@ struct glass_bed {
     double solid(double x, double t) const {
         const double xi = at(x).transfer_units;
         const double tau = exchange * (t - x / interstitial_velocity()) / solid_storage();
-        return cold + (hot - cold) * static_cast<double>(schumann::solid(xi, tau));
+        return cold + (hot - cold) * static_cast<double>(
+                                         schumann::solid(static_cast<long double>(xi), static_cast<long double>(tau)));
     }
 };
 

@@ -71,7 +71,7 @@ network random_network(std::uint64_t seed, bool closed) {
 /// gave.
 template <class CaloricOf>
 double imbalance(const network& before, const std::vector<particle_step<double>>& taken, const CaloricOf& caloric_of) {
-    long double gained = 0, given = 0, turnover = 0, rounding = 0;
+    double gained = 0, given = 0, turnover = 0, rounding = 0;
     for (std::size_t i = 0; i < taken.size(); ++i) {
         const double f = before.factor[i];
         gained += taken[i].heat / f;
@@ -81,12 +81,12 @@ double imbalance(const network& before, const std::vector<particle_step<double>>
     }
     // Temperatures are doubles: at tiny steps the enthalpy change is known to some round-offs of the enthalpy only, and
     // 1e-12 of a hundredth of it is 45 of them.
-    return static_cast<double>(std::fabs(gained - given) / (turnover + 1e-2L * rounding));
+    return std::fabs(gained - given) / (turnover + 1e-2 * rounding);
 }
 
 template <class CaloricOf>
 void bounds_and_energy(const CaloricOf& caloric_of) {
-    for (std::uint64_t seed = 1; seed <= 600; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
         CAPTURE(seed);
         network n = random_network(seed, seed % 2 == 0);
         const double step = seeded(seed + 1000).log_uniform(1e-9, 1e9);

@@ -74,7 +74,7 @@ constexpr Velocity divided(Velocity velocity, double factor) {
     if constexpr (std::is_arithmetic_v<Velocity>) {
         return static_cast<Velocity>(velocity / factor);
     } else {
-        for (int k = 0; k < 3; ++k) velocity[k] /= factor;
+        for (std::size_t k = 0; k < 3; ++k) velocity[k] /= factor;
         return velocity;
     }
 }
