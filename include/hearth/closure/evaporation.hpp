@@ -78,21 +78,24 @@ struct wet_sphere {
 
 /// Evaporation of water from a wet sphere through the film of gas around it.
 struct evaporation {
-    /// Mass that leaves the sphere, < 0 for condensation [kg/s]:
-    /// pi d Sh D M/(R T) (p_surface - p_gas), the film theory for dilute vapour times stefan_factor for all of it.
+    /// Mass that leaves the sphere, < 0 for condensation: pi d Sh D M/(R T) p ln((p - p_gas)/(p - p_surface)) [kg/s].
+    /// Diffusion of vapour through gas that itself rests (Stefan, Sitzungsber. Akad. Wiss. Wien 68 (1873) 385).  Gas
+    /// that is more than 99 % vapour counts as 99 %.
     template <class Scalar>
     HEARTH_FUNCTION static Scalar mass_rate(const wet_sphere<Scalar>& sphere) {
         using real = real_t<Scalar>;
-        const Scalar gas_constant_temperature = constants<real>::gas_constant() * sphere.film_temperature;
-        const Scalar driving = sphere.surface_pressure - sphere.gas_pressure;
+        const Scalar dry = sphere.pressure - sphere.gas_pressure;
+        const Scalar b =
+            (sphere.surface_pressure - sphere.gas_pressure) / maximum(dry, Scalar(real(0.01) * sphere.pressure));
         const Scalar conductance = constants<real>::pi() * real(water::molar_mass()) * sphere.diameter *
-                                   sphere.sherwood * sphere.diffusivity / gas_constant_temperature;
-        return conductance * driving * stefan_factor(Scalar(driving / (sphere.pressure - sphere.gas_pressure)));
+                                   sphere.sherwood * sphere.diffusivity /
+                                   (constants<real>::gas_constant() * sphere.film_temperature);
+        return conductance * sphere.pressure * b * stefan_factor(b);
     }
 
-    /// What the outflow of vapour adds to its diffusion, -ln(1 - b)/b with b = (p_surface - p_gas)/(p - p_gas) [-].
-    /// Stefan, Sitzungsber. Akad. Wiss. Wien 68 (1873) 385.  b counts as 0.99 above that: the factor, 4.65 there, would
-    /// grow without bound towards the boiling point, where no film but the supply of heat limits the rate.
+    /// What the outflow of vapour adds to its diffusion: -ln(1 - b)/b with b = (p_surface - p_gas)/(p - p_gas) [-].
+    /// Above b = 0.99 the factor stays 4.65: it would grow without bound towards the boiling point, where no film but
+    /// the supply of heat limits the rate.
     template <class Scalar>
     HEARTH_FUNCTION static Scalar stefan_factor(const Scalar& b) {
         using real = real_t<Scalar>;
