@@ -134,7 +134,8 @@ TEST_CASE("scene: explicit rates, implicit step and step limit read the same sta
         from_bath += (taken[i].conducted + taken[i].radiated) / 200;
         explicit_gain += (heat[i] + bed.heat_rate[i] / 200);
     }
-    const double supplied = link_books.from_walls + link_books.from_surroundings + books[0].heat_from_gas;
+    double supplied = books[0].heat_from_gas;
+    for (const auto& book : link_books) supplied += book.from_walls + book.from_surroundings;
     CHECK(explicit_gain == doctest::Approx(supplied).epsilon(1e-10));
     CHECK(gained == doctest::Approx(from_bath).epsilon(1e-9));
 
@@ -180,6 +181,25 @@ TEST_CASE("scene: two spheres of different Gamma exchange by radiation and conta
         bed.temperature, taken);
     CHECK(taken[0].heat > 0);
     CHECK(taken[0].heat + taken[1].heat / 678 == doctest::Approx(0).scale(taken[0].heat).epsilon(1e-10));
+}
+
+TEST_CASE("scene: a NaN among the particles is refused by the step, and named") {
+    warm_bed bed(2);
+    bed.near = {{0, 1, 0.00999}};
+    bed.conductivity[1] = std::nan("");
+    const scene s{conduction{closure::zhang::constriction{}}};
+    const auto list = s.links(bed, bed);
+    std::vector<particle_step<double>> taken;
+    const constant_specific_heat<> caloric{1000};
+    try {
+        (void)thermal_network().advance(
+            list.pairs, std::vector<heat_bath<double>>(2), std::vector<double>(2, 1.0),
+            [&](std::size_t) { return caloric; }, unsplit{}, 1.0, bed.temperature, taken);
+        FAIL_CHECK("accepted");
+    } catch (const bad_value& error) {
+        CHECK(error.place == "conductance of pair");
+        CHECK(error.index == 0);
+    }
 }
 
 TEST_CASE("scene: no particles, no exchange") {

@@ -96,12 +96,24 @@ TEST_CASE("conduction: one list holds contacts and films, and what one side lose
     const auto list = s.links(bed, bed, gas);
     CHECK(list.pairs.size() > bed.radius.size());
     std::vector<double> heat(bed.radius.size(), 0.0);
-    const auto ledger = accumulate(
-        list, bed.temperature, [&](int patch) { return bed.wall_temperatures[warm_bed::at(patch)]; }, heat);
-    double sum = 0;
+    const auto wall_temperature = [&](int patch) { return bed.wall_temperatures[warm_bed::at(patch)]; };
+    const auto books = accumulate(list, bed.temperature, wall_temperature, heat);
+    REQUIRE(books.size() == 2);
+    double sum = 0, moved = 0;
     for (const double q : heat) sum += q;
-    CHECK(ledger.between > 0);
-    CHECK(std::fabs(sum - ledger.from_walls) < 1e-13 * (ledger.between + std::fabs(ledger.from_walls)));
+    for (const auto& ledger : books) {
+        CHECK(ledger.between > 0);
+        sum -= ledger.from_walls;
+        moved += ledger.between + std::fabs(ledger.from_walls);
+    }
+    CHECK(books[1].from_walls == 0);  // the film is between particles
+    CHECK(std::fabs(sum) < 1e-13 * moved);
+    // Each term's ledger is what the term does alone.
+    std::vector<double> alone(heat.size(), 0.0);
+    const auto contacts = scene{conduction{closure::zhang::constriction{}, steel}}.links(bed, bed);
+    const auto single = accumulate(contacts, bed.temperature, wall_temperature, alone);
+    CHECK(single[0].between == books[0].between);
+    CHECK(single[0].from_walls == books[0].from_walls);
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ view_report build_radiation(const Term& term, const Cloud& cloud, const Contacts
     contacts_of<Contacts>::for_each_near(contacts, term.reach(), [&](auto i, auto j, double distance) {
         const auto p = at(i), q = at(j);
         const double area = term.pair_area(p, q, distance);
-        if (!(area > 0.0)) return;
+        if (area == 0.0) return;  // NaN goes on, to be refused by what reads the list
         pairs.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), {}});
         pairs.back().link.radiation = emission * area;
         rows[static_cast<std::size_t>(i)].pairs += area / term.surface(p);
@@ -96,7 +96,7 @@ view_report build_radiation(const Term& term, const Cloud& cloud, const Contacts
     const auto see_wall = [&](auto i, auto patch, double distance) {
         const auto p = at(i);
         const double area = term.wall_area(p, distance);
-        if (!(area > 0.0)) return;
+        if (area == 0.0) return;  // NaN goes on, to be refused by what reads the list
         walls.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(patch), {}});
         walls.back().link.radiation = emission * area;
         view_row& row = rows[static_cast<std::size_t>(i)];

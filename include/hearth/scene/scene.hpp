@@ -192,7 +192,7 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
         using index = particle_index_t<Cloud>;
         const auto particle = [&](auto i) { return view<Cloud>(cloud, static_cast<index>(i)); };
         const auto gas_at = [&](auto i) { return view<Gas>(gas, static_cast<particle_index_t<Gas>>(i)); };
-        this->template for_each<act::contact>([&](auto, const auto& term) {
+        this->template for_each<act::contact>([&](auto number, const auto& term) {
             detail::contacts_of<Contacts>::for_each_contact(contacts, [&](auto i, auto j, const contact& touch) {
                 add_pair(list, i, j, term.contact_link(particle(i), particle(j), gas_at(i), gas_at(j), touch));
             });
@@ -200,20 +200,23 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
                 detail::contacts_of<Contacts>::for_each_wall_contact(
                     contacts, [&](auto i, auto patch, const contact& touch) {
                         const auto made = term.wall_contact_link(particle(i), gas_at(i), touch);
-                        if (made.conductance > 0.0)
+                        if (made.conductance != 0.0)
                             list.walls.push_back(
                                 {static_cast<std::int32_t>(i), static_cast<std::int32_t>(patch), narrowed(made)});
                     });
             }
+            list.close_part(number);
         });
-        this->template for_each<act::nearby>([&](auto, const auto& term) {
+        this->template for_each<act::nearby>([&](auto number, const auto& term) {
             detail::contacts_of<Contacts>::for_each_near(contacts, term.reach(), [&](auto i, auto j, double distance) {
                 add_pair(list, i, j, term.near_link(particle(i), particle(j), gas_at(i), gas_at(j), distance));
             });
+            list.close_part(number);
         });
-        this->template for_each<act::views>([&](auto, const auto& term) {
+        this->template for_each<act::views>([&](auto number, const auto& term) {
             list.views.push_back(
                 detail::build_radiation(term, cloud, contacts, list.pairs, list.walls, list.surroundings));
+            list.close_part(number);
         });
     }
 
@@ -234,10 +237,14 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
                               static_cast<double>(g[quantity::gas_temperature{}]));
             }
         }
-        if constexpr (has_wall_temperature_v<Contacts>)
+        if constexpr (has_wall_temperature_v<Contacts>) {
             for (const auto& wall : list.walls)
                 result[static_cast<std::size_t>(wall.particle)].add(
                     wall.link, detail::contacts_of<Contacts>::wall_temperature(contacts, wall.patch));
+        } else {
+            static_assert(!has_wall_contacts_v<Contacts> && !has_near_walls_v<Contacts>,
+                          "hearth: contact_traits<Contacts> lacks  double wall_temperature(contacts, patch)  [K]");
+        }
         for (const auto& open : list.surroundings)
             result[static_cast<std::size_t>(open.particle)].add(open.link, open.temperature);
         return result;
@@ -267,7 +274,7 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
 
     template <class I, class J, class Link>
     static void add_pair(link_list<link>& list, I i, J j, const Link& made) {
-        if (made.conductance > 0.0)
+        if (made.conductance != 0.0)
             list.pairs.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), narrowed(made)});
     }
 };
