@@ -98,7 +98,7 @@ double k_epsilon::iterate(gas_fields& gas, const bed_fields& bed, const std::vec
                 fix(scalars, c, fixed_dissipation_[c]);
                 continue;
             }
-            const double rate = std::max(e_[c], 1e-30) / std::max(k_[c], 1e-30);  // 1/s
+            const double rate = gas.dissipation[c] / k_[c];  // of the new dissipation once that is solved [1/s]
             scalars.right[c] += mass * production_[c] * (solve_k ? 1 : c_.c1 * rate);
             scalars.a.diagonal[c] += mass * rate * (solve_k ? 1 : c_.c2);
             if (step > 0) {
