@@ -112,7 +112,8 @@ class tssm {
 /// as acceleration_switch::factors(); it is borrowed and must outlive the clock.
 ///
 /// Two particles of different Gamma exchange heat as any pair: each takes the rate times its own factor, and the ledger
-/// of increments closes all the same.
+/// of increments closes all the same.  The gas storage has one factor, that of the bed: what flies moves at its true
+/// speed but displaces gas by s times it, which is small where few particles fly.
 template <class Factors>
 class tssm_per_particle {
   public:
