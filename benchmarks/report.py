@@ -21,7 +21,7 @@ import sys
 SLOWER_WARNS = 2.0        # run time over the recorded one that is worth a line
 BAND = 1.25               # width of an accepted band, up and down
 EXACT = 1e-12             # an error below this is round-off: its band is [0, 10 * EXACT]
-SUFFIX = re.compile(r"/(real_time|process_time|manual_time|iterations:\d+|repeats:\d+|threads:\d+)")
+SUFFIX = re.compile(r"/((real|process|manual)_time|(iterations|repeats|threads|min_time|min_warmup_time):[\d.]+)")
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 # What Google Benchmark itself writes about a benchmark; all else are counters that the benchmark has set.
 STANDARD = {"name", "family_index", "per_family_instance_index", "run_name", "run_type", "repetitions", "threads",
@@ -37,11 +37,13 @@ Point = collections.namedtuple("Point", "name family method parameter value seco
 
 
 def read(files):
-    points = []
+    """Returns the points, and what went wrong in the benchmarks themselves."""
+    points, failed = [], []
     for file in files:
         for entry in json.loads(pathlib.Path(file).read_text())["benchmarks"]:
             if entry.get("error_occurred"):
-                sys.exit(f"report: {entry['name']} failed: {entry['error_message']}")
+                failed.append(f"{entry['name']} failed: {entry['error_message']}")
+                continue
             if entry["run_type"] != "iteration":
                 continue
             name = SUFFIX.sub("", entry["name"])
@@ -52,7 +54,7 @@ def read(files):
             counters = {key: value for key, value in entry.items() if key not in STANDARD and key != "error"}
             points.append(Point(name, family, " ".join([method, *rest[:-1]]), parameter, value, seconds,
                                 entry.get("error"), counters, entry.get("label", "")))
-    return points
+    return points, failed
 
 
 def number(text):
@@ -71,9 +73,17 @@ def si(value, unit=""):
     return f"{value / 10.0 ** exponent:.3g} {prefix}{unit}".strip()
 
 
+def unit(points):
+    """Of the error, as the family's labels give it."""
+    return next((point.label for point in points if point.label), "-")
+
+
 def table(points):
+    methods = list(dict.fromkeys(point.method for point in points))
+    points = sorted(points, key=lambda point: methods.index(point.method))
     extra = sorted({key for point in points for key in point.counters})
-    head = ["method", points[0].parameter or "parameter", "run time", "error", *(key.replace("_", " ") for key in extra)]
+    head = ["method", points[0].parameter or "parameter", "run time", f"error [{unit(points)}]",
+            *(key.replace("_", " ") for key in extra)]
     rows = ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)]
     for point in points:
         cells = [point.method, point.value, si(point.seconds, "s"), "" if point.error is None else f"{point.error:.3g}"]
@@ -111,7 +121,8 @@ def draw(family, points, file):
             axis.plot(x, y, color=colour, marker=MARKERS[index % len(MARKERS)], markersize=5, linewidth=1.6,
                       linestyle="-" if index < len(COLOURS) else "--")
             if panel == len(panels) - 1:
-                ends.append((y[-1], x[-1], method, colour))
+                right = max(range(len(x)), key=x.__getitem__)
+                ends.append((y[right], x[right], method, colour))
         axis.set_xscale("log")
         axis.set_yscale("log")
         axis.set_xlabel(label)
@@ -121,8 +132,7 @@ def draw(family, points, file):
             axis.tick_params(axis="x", which="minor", bottom=False, labelbottom=False)
         axis.grid(True, which="major", color="0.9")
         axis.spines[["top", "right"]].set_visible(False)
-    unit = next((point.label for point in points if point.label), "")
-    axes[0][0].set_ylabel("error" + (f" [{unit}]" if unit else " [-]"))
+    axes[0][0].set_ylabel(f"error [{unit(points)}]")
     figure.suptitle(family)
 
     # The names stand at the ends of the curves, pushed apart where they would touch.
@@ -184,15 +194,15 @@ def main():
     parser.add_argument("--accept", action="store_true", help="write the bands anew around this run")
     arguments = parser.parse_args()
 
-    points = read(arguments.json)
+    points, failed = read(arguments.json)
     arguments.output.mkdir(parents=True, exist_ok=True)
-    text = ["# Error against run time", "", "Run time is of one iteration; `over stream` is run time over the time that "
-            "the bytes which must move take at the STREAM bandwidth of the same run.", ""]
+    text = ["# Error against run time", "", "Run time is of one iteration; `over stream` is run time over the time that the"
+            " bytes which must move take at the STREAM bandwidth of the same run.", ""]
     for family in dict.fromkeys(point.family for point in points):
         members = [point for point in points if point.family == family]
         text += [f"## {family}", "", table(members), ""]
         curves = [point for point in members if point.error is not None]
-        if curves:
+        if any(point.error >= EXACT for point in curves):
             figure = re.sub(r"[^a-z0-9]+", "_", family.lower()).strip("_") + ".png"
             draw(family, curves, arguments.output / figure)
             text += [f"![{family}]({figure})", ""]
@@ -204,7 +214,7 @@ def main():
     if arguments.accept:
         accept(with_error, bands, arguments.bands)
         return 0
-    wrong = check(with_error, bands)
+    wrong = failed + check(with_error, bands)
     for line in wrong:
         print("error: " + line, file=sys.stderr)
     return 1 if wrong else 0

@@ -66,6 +66,13 @@ class Report(unittest.TestCase):
         self.assertIn("| VFS threshold 0.74 | 2 | 7 s | 0.1 | 1 ns |", (self.folder / "report.md").read_text())
         self.assertIn("family/VFS/threshold 0.74/d_dx:2,", (self.folder / "bands.csv").read_text())
 
+    def test_a_benchmark_that_failed_fails_and_the_others_are_reported(self):
+        broken = {**entry("family/broken/steps:1", None, 1.0), "error_occurred": True, "error_message": "no memory"}
+        status, text = self.run_report([broken, entry("family/ours/steps:1", None, 1.0)])
+        self.assertEqual(status, 1)
+        self.assertIn("family/broken/steps:1 failed: no memory", text)
+        self.assertIn("| ours | 1 |", (self.folder / "report.md").read_text())
+
     def test_a_benchmark_without_error_has_a_row_and_no_band(self):
         self.assertEqual(self.run_report([entry("family/ours/steps:1", None, 1.0)])[0], 0)
         self.assertIn("| ours | 1 | 1 s |  | 1 ns |", (self.folder / "report.md").read_text())
