@@ -60,9 +60,11 @@
 
 #include <hearth/voidage/chebyshev.hpp>
 #include <hearth/voidage/deposit.hpp>
+#include <hearth/voidage/filtered_fraction.hpp>
 #include <hearth/voidage/footprints.hpp>
 #include <hearth/voidage/kernel_smoother.hpp>
 #include <hearth/voidage/lattice_stencil.hpp>
+#include <hearth/voidage/transfer_operator.hpp>
 #include <hearth/voidage/vfs.hpp>
 #include <hearth/voidage/vfs_cells.hpp>
 #include <hearth/voidage/vfs_completion.hpp>
