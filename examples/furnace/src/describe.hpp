@@ -17,12 +17,12 @@ struct range {
 };
 
 /// The words that a key of the enumeration takes, in the order of its values.
-constexpr auto names(motion) { return std::array<std::string_view, 4>{"frozen", "plug", "recorded", "dem"}; }
-constexpr auto names(combustion) {
+constexpr auto names(bed_motion) { return std::array<std::string_view, 4>{"frozen", "plug", "recorded", "dem"}; }
+constexpr auto names(burning) {
     return std::array<std::string_view, 4>{"none", "mixed_is_burnt", "equilibrium", "jones_lindstedt"};
 }
-constexpr auto names(voidage) { return std::array<std::string_view, 2>{"filtered", "smoother"}; }
-constexpr auto names(start) { return std::array<std::string_view, 2>{"one_dimensional", "cold"}; }
+constexpr auto names(voidage_method) { return std::array<std::string_view, 2>{"filtered", "smoother"}; }
+constexpr auto names(start_from) { return std::array<std::string_view, 2>{"one_dimensional", "cold"}; }
 
 /// Every key of a scene, once: reading, checking, documenting and hashing all walk this list.
 ///     key(table, name, value, range, meaning)

@@ -266,7 +266,7 @@ void check(const settings& scene) {
         throw bad_scene("bed.softened_modulus_Pa is " + format(scene.bed.softened_modulus) + ", allowed: at most bed.modulus_Pa, " +
                         format(scene.bed.modulus));
     }
-    if (scene.physics.combustion != combustion::none && !scene.physics.heat) {
+    if (scene.physics.combustion != burning::none && !scene.physics.heat) {
         throw bad_scene("physics.combustion needs physics.heat = true");
     }
 }

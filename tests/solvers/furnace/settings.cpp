@@ -54,7 +54,7 @@ TEST_CASE("scene: keys are read in their own units") {
     CHECK(scene.particles.mass_flow == doctest::Approx(0.5).epsilon(1e-15));
     CHECK(scene.burners.diameter == doctest::Approx(0.02).epsilon(1e-15));
     CHECK(scene.burners.count == 6);
-    CHECK(scene.physics.combustion == combustion::jones_lindstedt);
+    CHECK(scene.physics.combustion == burning::jones_lindstedt);
     CHECK_FALSE(scene.physics.radiation);
     CHECK(scene.time.acceleration_factor == 0);
     REQUIRE(scene.shaft.zones.size() == 2);
@@ -87,7 +87,7 @@ TEST_CASE("scene: --set changes one key, or nothing") {
     set_key(scene, "mesh.cells_across=40");
     CHECK(scene.mesh.across == 40);
     set_key(scene, "bed.motion=\"plug\"");
-    CHECK(scene.bed.motion == motion::plug);
+    CHECK(scene.bed.motion == bed_motion::plug);
     CHECK_THROWS_WITH_AS(set_key(scene, "mesh.cells_across=1"), "--set: mesh.cells_across is 1, allowed: 4 to 1000", bad_scene);
     CHECK(scene.mesh.across == 40);
 }
@@ -95,7 +95,7 @@ TEST_CASE("scene: --set changes one key, or nothing") {
 TEST_CASE("scene: its document reads back as the same scene, and its hash tells scenes apart") {
     settings scene;
     scene.particles.mass_flow = 0.1234567890123;
-    scene.bed.motion = motion::dem;
+    scene.bed.motion = bed_motion::dem;
     scene.time.acceleration_factor = 0;
     scene.shaft.zones = {{0, 2, 1, 310}, {2, 9, 2.5, 333}};
     const settings again = parse_scene(document(scene));

@@ -28,10 +28,10 @@ struct wall_zone {
     double ambient_temperature;  ///< [K]
 };
 
-enum class motion { frozen, plug, recorded, dem };
-enum class combustion { none, mixed_is_burnt, equilibrium, jones_lindstedt };
-enum class voidage { filtered, smoother };
-enum class start { one_dimensional, cold };
+enum class bed_motion { frozen, plug, recorded, dem };
+enum class burning { none, mixed_is_burnt, equilibrium, jones_lindstedt };
+enum class voidage_method { filtered, smoother };
+enum class start_from { one_dimensional, cold };
 
 /// Everything that a scene says, in SI units.  The defaults are the furnace of the paper (Spijker, Pollhammer and
 /// Raupenstrauch 2023, doi:10.1002/ceat.202200617); what the paper leaves open is marked "assumed" in describe.hpp.
@@ -74,7 +74,7 @@ struct settings {
     } gas;
 
     struct {
-        hearth::furnace::motion motion = motion::recorded;
+        bed_motion motion = bed_motion::recorded;
         double coarse_graining = 4;
         double void_fraction = 0.418;      ///< of a plug-flow or frozen bed without DEM
         double dem_time = 2.5;             ///< [s] of DEM to be recorded
@@ -86,7 +86,7 @@ struct settings {
     } bed;
 
     struct {
-        hearth::furnace::voidage method = voidage::filtered;
+        voidage_method method = voidage_method::filtered;
         double threshold = 0.74;
         double width_in_diameters = 0.5;
     } voidage;
@@ -104,7 +104,7 @@ struct settings {
         bool conduction = true;
         bool turbulence = true;
         bool nitric_oxide = true;
-        hearth::furnace::combustion combustion = combustion::equilibrium;
+        burning combustion = burning::equilibrium;
     } physics;
 
     struct {
@@ -112,7 +112,7 @@ struct settings {
         double tolerance = 0.01;           ///< of the splitting, relative to the range of temperatures
         int couplings = 360;
         double residence_times = 6;
-        hearth::furnace::start start = start::one_dimensional;
+        start_from start = start_from::one_dimensional;
         double balance_tolerance = 0.01;   ///< enthalpy imbalance over fuel power at which a run is converged
     } time;
 
