@@ -10,15 +10,13 @@
 #include <hearth/core/constants.hpp>
 #include <hearth/core/error.hpp>
 
-#include "forces.hpp"
+#include "check.hpp"
 #include "implementation.hpp"
 
 namespace hearth::dem {
 namespace {
 
-void check(bool good, const char* name, double value, const char* allowed, std::int64_t at = bad_value::no_index) {
-    if (!good) throw bad_value(name, at, value, allowed);
-}
+using detail::check;
 
 double sphere_volume(double radius) { return 4.0 / 3.0 * constants<double>::pi() * radius * radius * radius; }
 
@@ -59,6 +57,12 @@ void bed::set_motion(int wall_number, const wall_motion& motion) {
     check(is_finite(motion.velocity) && is_finite(motion.spin) && is_finite(motion.pivot), "motion of wall",
           norm(motion.velocity), "finite", wall_number);
     self_->walls.at(static_cast<std::size_t>(wall_number)).body.motion = motion;
+}
+void bed::set_wall_open(int wall_number, bool open) {
+    auto& w = self_->walls.at(static_cast<std::size_t>(wall_number));
+    if (w.open == open) return;
+    w.open = open;
+    self_->listed = self_->loaded = false;
 }
 void bed::set_wall_temperature(int wall_number, double kelvin) {
     check(kelvin > 0 && std::isfinite(kelvin), "temperature of wall", kelvin, "finite and > 0 [K]", wall_number);

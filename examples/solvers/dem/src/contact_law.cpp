@@ -4,26 +4,25 @@
 #include <cmath>
 
 #include <hearth/core/constants.hpp>
-#include <hearth/core/error.hpp>
+
+#include "check.hpp"
 
 namespace hearth::dem {
 namespace {
 
+using detail::check;
+
 constexpr double pi = constants<double>::pi();
 
-void check(bool good, const char* name, double value, const char* allowed) {
-    if (!good) throw bad_value(name, bad_value::no_index, value, allowed);
-}
-
-void check(const material& m) {
+void check_material(const material& m) {
     check(m.youngs_modulus > 0 && std::isfinite(m.youngs_modulus), "youngs_modulus", m.youngs_modulus,
           "finite and > 0 [Pa]");
     check(m.poisson_ratio > -1 && m.poisson_ratio <= 0.5, "poisson_ratio", m.poisson_ratio, "in (-1, 0.5] [-]");
 }
 
 contact_law make(const material& a, const material& b, const contact_settings& settings) {
-    check(a);
-    check(b);
+    check_material(a);
+    check_material(b);
     check(settings.damping >= 0 && settings.damping < std::sqrt(5.0), "damping", settings.damping,
           "in [0, sqrt(5)) [-]");
     check(settings.friction >= 0 && std::isfinite(settings.friction), "friction", settings.friction,
@@ -66,7 +65,7 @@ double hertz_impact::largest_overlap() const {
 double hertz_impact::duration() const { return 2.9432752 * largest_overlap() / speed; }
 
 double rayleigh_time(double radius, double density, const material& particle) {
-    check(particle);
+    check_material(particle);
     const double shear_modulus = particle.youngs_modulus / (2 * (1 + particle.poisson_ratio));
     return pi * radius * std::sqrt(density / shear_modulus) / (0.1631 * particle.poisson_ratio + 0.8766);
 }

@@ -66,6 +66,8 @@ void wall_list::build(const store& particles, const cell_grid& grid, const std::
     candidates.clear();
     springs.clear();
     rolls.clear();
+    reaction = {};
+    if (open) return;
     const double wide = largest_radius + reach;
     for (std::size_t f = 0; f < body.facets.size(); ++f) {
         const box3 box = in_space(bounds_of(body.facets[f]), place);

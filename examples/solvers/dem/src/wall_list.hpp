@@ -40,6 +40,7 @@ struct wall_list {
     wall body;
     contact_law law;
     pose place;
+    bool open = false;
     std::int64_t first_id;  ///< facet k has the id first_id - k in histories
     std::vector<candidate> candidates;
     std::vector<vector3> springs;

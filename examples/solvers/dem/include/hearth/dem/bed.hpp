@@ -45,6 +45,8 @@ class bed {
     int add_wall(wall w);
     /// Changes how a wall moves from now on.
     void set_motion(int wall_number, const wall_motion& motion);
+    /// An open wall touches nobody.
+    void set_wall_open(int wall_number, bool open);
     void set_wall_temperature(int wall_number, double kelvin);
     const wall& wall_at(int wall_number) const;
     int wall_count() const;
