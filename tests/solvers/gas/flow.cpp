@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <vector>
+
 
 #include <doctest/doctest.h>
 

@@ -54,7 +54,7 @@ scalar_error solve_manufactured(const mesh& m, double diffusivity) {
     const gradient g(m);
     const parallel one;
     transport t(m, p, g, one);
-    std::vector<double> flux(m.faces(), 0.0), gamma(m.cells(), diffusivity), outside(m.boundary_faces(), 0.0),
+    array<double> flux(m.faces(), 0.0), gamma(m.cells(), diffusivity), outside(m.boundary_faces(), 0.0),
         conducting(m.boundary_faces(), 0.0), field(m.cells(), 1.0);
     for (int f = 0; f < m.faces(); ++f) {
         const vector3 s = m.area[f];
@@ -77,7 +77,7 @@ scalar_error solve_manufactured(const mesh& m, double diffusivity) {
         t.assemble(flux, gamma, conducting);
         t.start(field, outside);
         for (int c = 0; c < m.cells(); ++c) t.right[c] += m.volume[c] * source(m.centre[c]);
-        const std::vector<double> before = field;
+        const array<double> before = field;
         t.solve(field, {1e-8, 0, 500});
         change = 0;
         for (int c = 0; c < m.cells(); ++c) change = std::max(change, std::abs(field[c] - before[c]));

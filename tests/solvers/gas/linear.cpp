@@ -12,7 +12,7 @@ using namespace hearth::gas;
 namespace {
 
 /// Diffusion with the mesh's conductances, times a coefficient per cell (harmonic at faces); one cell held fixed by `pin`.
-matrix diffusion(const mesh& m, const pattern& p, const std::vector<double>& coefficient, double pin) {
+matrix diffusion(const mesh& m, const pattern& p, const array<double>& coefficient, double pin) {
     matrix a(p);
     for (int f = 0; f < m.internal_faces(); ++f) {
         const int o = m.owner[f], n = m.neighbour[f];
@@ -25,15 +25,15 @@ matrix diffusion(const mesh& m, const pattern& p, const std::vector<double>& coe
     return a;
 }
 
-std::vector<double> random_field(int n, std::uint64_t seed) {
+array<double> random_field(int n, std::uint64_t seed) {
     std::mt19937_64 random(seed);
-    std::vector<double> x(n);
+    array<double> x(n);
     for (double& v : x) v = static_cast<double>(random() >> 11) * 0x1p-53 - 0.5;
     return x;
 }
 
 /// Backward error: |b - A x| over |b| + ||A| |x||.  Round-off alone leaves about 1e-16 of the second part.
-double residual(const matrix& a, const std::vector<double>& x, const std::vector<double>& b) {
+double residual(const matrix& a, const array<double>& x, const array<double>& b) {
     double sum = 0, right = 0, scale = 0;
     const pattern& p = *a.shape;
     for (int c = 0; c < p.rows; ++c) {
@@ -52,12 +52,12 @@ double residual(const matrix& a, const std::vector<double>& x, const std::vector
 int iterations(const mesh& m, double jump, double reduction) {
     const pattern p(m);
     const parallel one;
-    std::vector<double> coefficient(m.cells());
+    array<double> coefficient(m.cells());
     for (int c = 0; c < m.cells(); ++c) coefficient[c] = m.centre[c].z > 0.5 ? 1 : jump;
     const matrix a = diffusion(m, p, coefficient, 1.0);
     symmetric_solver solver(p, make_multigrid(p), one);
     const auto b = random_field(m.cells(), 3);
-    std::vector<double> x(m.cells(), 0.0);
+    array<double> x(m.cells(), 0.0);
     const solve_report report = solver.solve(a, b.data(), x.data(), {reduction, 0, 200});
     CHECK(report.converged);
     CHECK(residual(a, x, b) < 2 * reduction);  // the recursive residual may drift by less than itself
@@ -87,7 +87,7 @@ TEST_CASE("symmetric solver: keeps a hierarchy that fits and drops one that does
     const auto b = random_field(m.cells(), 5);
     for (const double scale : {1.0, 1.1, 1e4, 1e-4}) {
         CAPTURE(scale);
-        std::vector<double> coefficient(m.cells(), scale), x(m.cells(), 0.0);
+        array<double> coefficient(m.cells(), scale), x(m.cells(), 0.0);
         for (int c = 0; c < m.cells(); c += 2) coefficient[c] *= scale;
         const matrix a = diffusion(m, p, coefficient, scale);
         const solve_report report = solver.solve(a, b.data(), x.data(), {1e-8, 0, 300});
@@ -100,7 +100,7 @@ TEST_CASE("general solver: convection with diffusion, Peclet 1e-3 to 1e6") {
     const mesh m(box(graded(1, 20), graded(1, 20), graded(1, 3)));
     const pattern p(m);
     const parallel one;
-    const std::vector<double> unit(m.cells(), 1.0);
+    const array<double> unit(m.cells(), 1.0);
     for (const double peclet : {1e-3, 1.0, 1e3, 1e6}) {
         CAPTURE(peclet);
         matrix a = diffusion(m, p, unit, 0.0);
@@ -111,7 +111,7 @@ TEST_CASE("general solver: convection with diffusion, Peclet 1e-3 to 1e6") {
         }
         for (int c = 0; c < m.cells(); ++c) a.diagonal[c] += 1e-3 * m.volume[c];
         const auto b = random_field(m.cells(), 11);
-        std::vector<double> x(m.cells(), 0.0);
+        array<double> x(m.cells(), 0.0);
         general_solver solver(p, one);
         const solve_report report = solver.solve(a, b.data(), x.data(), {1e-10, 0, 2000});
         CHECK(report.converged);
@@ -123,8 +123,8 @@ TEST_CASE("solvers: a right-hand side that is not finite is reported, and x stay
     const mesh m(box(graded(1, 4), graded(1, 4), graded(1, 4)));
     const pattern p(m);
     const parallel one;
-    const matrix a = diffusion(m, p, std::vector<double>(m.cells(), 1.0), 1.0);
-    std::vector<double> b(m.cells(), 1.0), x(m.cells(), 0.0);
+    const matrix a = diffusion(m, p, array<double>(m.cells(), 1.0), 1.0);
+    array<double> b(m.cells(), 1.0), x(m.cells(), 0.0);
     b[7] = std::nan("");
     symmetric_solver symmetric(p, make_multigrid(p), one);
     general_solver general(p, one);

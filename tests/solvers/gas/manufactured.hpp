@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <functional>
-#include <vector>
+
 
 #include <hearth/gas/generate.hpp>
 #include <hearth/gas/mesh.hpp>
@@ -53,7 +53,7 @@ inline mesh square(int n, double bend, double shake = 0) {
         return static_cast<double>(seed >> 11) * 0x1p-53 - 0.5;
     };
     const int points = n + 1;
-    std::vector<vector3> move(static_cast<std::size_t>(points) * points);
+    hearth::gas::array<vector3> move(points * points);
     for (vector3& v : move) v = {shake / n * uniform(), shake / n * uniform(), 0};
     return mesh(hearth::gas::box(graded(1, n), graded(1, n), graded(1.0 / n, 1), [&](const vector3& x) {
         const double bump = bend * std::sin(2 * pi * x.x) * std::sin(2 * pi * x.y);
@@ -68,7 +68,7 @@ inline mesh square(int n, double bend, double shake = 0) {
 /// `inner` leaves out the cells at x and y boundaries.
 inline double error(const mesh& m, const std::function<double(int)>& field, const function& exact, bool free_level,
                     bool inner = false) {
-    std::vector<char> out(m.cells(), 0);
+    hearth::gas::array<char> out(m.cells(), 0);
     for (int f = m.internal_faces(); inner && f < m.faces(); ++f)
         if (std::abs(m.area[f].z) < 0.5 * norm(m.area[f])) out[m.owner[f]] = 1;
     double mean = 0, volume = 0, sum = 0;

@@ -93,7 +93,7 @@ TEST_CASE("mesh: find_cell finds every centre, points near corners, and nothing 
 
 TEST_CASE("mesh: renumbering keeps geometry and patches and narrows the band") {
     polyhedra p = box(graded(1, 6), graded(1, 5), graded(1, 4));
-    std::vector<int> shuffle(120);
+    array<int> shuffle(120);
     for (int i = 0; i < 120; ++i) shuffle[i] = (i * 77) % 120;  // 77 and 120 share no factor: a permutation
     for (std::size_t f = 0; f < p.owner.size(); ++f) {
         p.owner[f] = shuffle[p.owner[f]];
@@ -106,7 +106,7 @@ TEST_CASE("mesh: renumbering keeps geometry and patches and narrows the band") {
         }
     }
     const mesh before(p);
-    std::vector<int> number;
+    array<int> number;
     const mesh after(renumbered(p, &number));
     const auto band = [](const mesh& m) {
         int widest = 0;

@@ -26,7 +26,7 @@ std::string header(const char* kind, const char* object, bool binary, int label_
 }
 
 template <class Label>
-void write_labels(std::ostream& out, const std::vector<int>& values, bool binary) {
+void write_labels(std::ostream& out, const array<int>& values, bool binary) {
     out << values.size() << "\n(";
     for (const int v : values) {
         const auto label = static_cast<Label>(v);

@@ -9,8 +9,8 @@ namespace hearth::gas {
 /// Sums of the very terms that the discrete equations hold; so what is missing is what the solves left undone.
 void solver::check_balances(report& r, const gas_fields* before, double dt, double storage) const {
     const mesh& m = *mesh_;
-    const auto width = static_cast<std::size_t>(species_);
-    std::vector<balance> all(2 + width);  // mass, enthalpy, species
+    const int width = species_;
+    array<balance> all(2 + width);  // mass, enthalpy, species
     double backflow = 0;
     for (int f = m.internal_faces(); f < m.faces(); ++f) {
         const int b = f - m.internal_faces(), c = m.owner[f];
@@ -23,14 +23,14 @@ void solver::check_balances(report& r, const gas_fields* before, double dt, doub
         };
         count(all[0], 1, 1);
         count(all[1], gas.enthalpy[c], scalar_boundary_.enthalpy[b]);
-        for (std::size_t k = 0; k < width; ++k)
+        for (int k = 0; k < width; ++k)
             count(all[2 + k], gas.mass_fraction[width * c + k], boundary_fraction_[k][b]);
     }
     for (int c = 0; c < m.owned_cells(); ++c) {
         all[0].source += medium_.mass_source[c];
         all[1].source += sources.enthalpy[c] + bed.heat_source[c] + wall_source_[c] -
                          (bed.heat_conductance[c] + wall_conductance_[c]) * gas.temperature[c];
-        for (std::size_t k = 0; k < width; ++k) all[2 + k].source += sources.species[width * c + k];
+        for (int k = 0; k < width; ++k) all[2 + k].source += sources.species[width * c + k];
         if (!before) continue;
         const double rate = storage * m.volume[c] / dt;
         const double now = rate * bed.void_fraction[c] * gas.density[c], then = rate * old_void_[c] * before->density[c];
@@ -38,7 +38,7 @@ void solver::check_balances(report& r, const gas_fields* before, double dt, doub
         all[1].stored += now * gas.enthalpy[c] - then * before->enthalpy[c];
         if (settings.pressure_work)
             all[1].stored -= rate * bed.void_fraction[c] * (gas.flow.pressure[c] - before->flow.pressure[c]);
-        for (std::size_t k = 0; k < width; ++k)
+        for (int k = 0; k < width; ++k)
             all[2 + k].stored += now * gas.mass_fraction[width * c + k] - then * before->mass_fraction[width * c + k];
     }
     for (balance& x : all) {

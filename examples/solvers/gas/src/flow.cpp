@@ -6,25 +6,15 @@
 
 namespace hearth::gas {
 
-namespace {
-
-std::unique_ptr<preconditioner> pressure_preconditioner(const mesh& m, const pattern& p, const parallel& ranks) {
-    if (ranks.ranks() > 1)
-        if (auto all_ranks = make_hypre(p, m, ranks)) return all_ranks;
-    return make_multigrid(p);
-}
-
-}  // namespace
-
 flow::flow(const mesh& m, const pattern& p, const gradient& g, const parallel& ranks)
     : mesh_(&m),
       pattern_(&p),
       gradients_(&g),
       ranks_(&ranks),
-      pressure_solver_(p, pressure_preconditioner(m, p, ranks), ranks),
+      pressure_solver_(p, make_multigrid(p), ranks),
       momentum_(p),
       pressure_(p),
-      gradient_(3 * static_cast<std::size_t>(m.cells())),
+      gradient_(3 * m.cells()),
       source_(m.cells()),
       drive_(m.cells()),
       boundary_velocity_(m.boundary_faces()),
@@ -58,7 +48,7 @@ flow_report flow::iterate(flow_state& state, const flow_medium& medium, const fl
     predict(state, medium, history, settings);
     assemble_pressure(state, medium, boundary, history);
 
-    std::vector<double>& residual = inverse_void_;  // free from here on
+    array<double>& residual = inverse_void_;  // free from here on
     pressure_.apply(state.pressure.data(), residual.data());
     double sums[6] = {0, 0, 0, 0, 0, 0};
     for (int c = 0; c < n; ++c) sums[0] += std::abs(right_[c] - residual[c]);
@@ -169,7 +159,7 @@ void flow::correct(flow_state& state, const flow_medium& medium, const flow_hist
     const mesh& m = *mesh_;
     const int internal = m.internal_faces(), n = m.owned_cells();
     const bool skewed = m.largest_angle > 0.01;
-    std::vector<vector3>& momentum = source_;  // free from here on: void fraction * density * velocity, times volume
+    array<vector3>& momentum = source_;  // free from here on: void fraction * density * velocity, times volume
     std::fill(momentum.begin(), momentum.end(), vector3{});
     // volume * G = sum of F (x_f - x_P) is exact for a constant G; what a slope of w adds to F is taken off first, so that
     // it is exact for a linear w too (in cells whose opposite faces are alike the slope adds nothing)

@@ -17,16 +17,18 @@ struct half_face {
     int cell, side;
 };
 
+int corner(const std::array<int, 8>& cell, int i) { return cell[static_cast<std::size_t>(i)]; }
+
 }  // namespace
 
-polyhedra from_hexahedra(std::vector<vector3> points, const std::vector<std::array<int, 8>>& cells,
+polyhedra from_hexahedra(array<vector3> points, const array<std::array<int, 8>>& cells,
                          const std::function<std::string(int, int)>& patch_of) {
-    std::vector<half_face> sides;
-    sides.reserve(6 * cells.size());
+    array<half_face> sides;
+    sides.reserve(6 * cells.count());
     for (std::size_t c = 0; c < cells.size(); ++c)
         for (int s = 0; s < 6; ++s) {
             half_face h{{}, static_cast<int>(c), s};
-            for (int i = 0; i < 4; ++i) h.key[static_cast<std::size_t>(i)] = cells[c][side_points[s][i]];
+            for (int i = 0; i < 4; ++i) h.key[static_cast<std::size_t>(i)] = corner(cells[c], side_points[s][i]);
             std::sort(h.key.begin(), h.key.end());
             sides.push_back(h);
         }
@@ -35,9 +37,9 @@ polyhedra from_hexahedra(std::vector<vector3> points, const std::vector<std::arr
     });
 
     struct face { int owner, neighbour, side; };
-    std::vector<face> inner, outer;
-    std::vector<int> patch_number;
-    std::vector<std::string> names;
+    array<face> inner, outer;
+    array<int> patch_number;
+    array<std::string> names;
     std::map<std::string, int> number_of;
     for (std::size_t i = 0; i < sides.size(); ++i) {
         if (i + 1 < sides.size() && sides[i].key == sides[i + 1].key) {
@@ -64,11 +66,11 @@ polyhedra from_hexahedra(std::vector<vector3> points, const std::vector<std::arr
 
     polyhedra out;
     out.points = std::move(points);
-    out.face_first.reserve(inner.size() + outer.size() + 1);
+    out.face_first.reserve(inner.count() + outer.count() + 1);
     out.face_first.push_back(0);
     const auto add = [&](const face& f) {
         out.owner.push_back(f.owner);
-        for (const int p : side_points[f.side]) out.face_points.push_back(cells[f.owner][p]);
+        for (const int p : side_points[f.side]) out.face_points.push_back(corner(cells[f.owner], p));
         out.face_first.push_back(static_cast<int>(out.face_points.size()));
     };
     for (const face& f : inner) {
@@ -85,10 +87,10 @@ polyhedra from_hexahedra(std::vector<vector3> points, const std::vector<std::arr
     return out;
 }
 
-std::vector<double> graded(double length, int cells, double ratio) {
+array<double> graded(double length, int cells, double ratio) {
     if (!(length > 0) || cells < 1 || !(ratio > 0))
         throw std::invalid_argument("hearth::gas: graded: length, cells and ratio must be positive");
-    std::vector<double> level(static_cast<std::size_t>(cells) + 1);
+    array<double> level(cells + 1);
     const double growth = cells > 1 ? std::pow(ratio, 1.0 / (cells - 1)) : 1.0;
     for (int i = 0; i <= cells; ++i)
         level[i] = std::abs(growth - 1) < 1e-12 ? length * i / cells
@@ -97,7 +99,7 @@ std::vector<double> graded(double length, int cells, double ratio) {
     return level;
 }
 
-polyhedra box(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z,
+polyhedra box(const array<double>& x, const array<double>& y, const array<double>& z,
               const std::function<vector3(const vector3&)>& map) {
     for (const auto* levels : {&x, &y, &z}) {
         if (levels->size() < 2) throw std::invalid_argument("hearth::gas: box: each axis needs two levels or more");
@@ -105,11 +107,11 @@ polyhedra box(const std::vector<double>& x, const std::vector<double>& y, const 
             if (!((*levels)[i] > (*levels)[i - 1])) throw std::invalid_argument("hearth::gas: box: levels must rise");
     }
     const int nx = static_cast<int>(x.size()), ny = static_cast<int>(y.size()), nz = static_cast<int>(z.size());
-    std::vector<vector3> points;
+    array<vector3> points;
     for (const double c : z)
         for (const double b : y)
             for (const double a : x) points.push_back(map ? map({a, b, c}) : vector3{a, b, c});
-    std::vector<std::array<int, 8>> cells;
+    array<std::array<int, 8>> cells;
     for (int k = 0; k + 1 < nz; ++k)
         for (int j = 0; j + 1 < ny; ++j)
             for (int i = 0; i + 1 < nx; ++i) {

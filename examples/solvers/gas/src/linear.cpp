@@ -16,13 +16,13 @@ pattern::pattern(const mesh& m) : rows(m.owned_cells()), columns(m.cells()), fir
     }
     for (int c = 0; c < rows; ++c) first[c + 1] += first[c];
     struct slot { int column, face; };
-    std::vector<slot> slots(first[rows]);
-    std::vector<int> next(first.begin(), first.end() - 1);
+    array<slot> slots(first[rows]);
+    array<int> next(first.begin(), first.end() - 1);
     for (int f = 0; f < internal; ++f) {
         slots[next[m.owner[f]]++] = {m.neighbour[f], f};
         if (m.neighbour[f] < rows) slots[next[m.neighbour[f]]++] = {m.owner[f], f};
     }
-    column.resize(slots.size());
+    column.resize(slots.count());
     for (int c = 0; c < rows; ++c) {
         std::sort(slots.begin() + first[c], slots.begin() + first[c + 1],
                   [](const slot& a, const slot& b) { return a.column != b.column ? a.column < b.column : a.face < b.face; });
@@ -80,7 +80,7 @@ double dot(const parallel& ranks, int n, const double* a, const double* b) {
 }
 
 /// r holds A x and becomes b - A x.  Sets the first residual; returns where to stop, never below the round-off of r.
-double begin(const parallel& ranks, int n, const double* b, std::vector<double>& r, const solve_settings& settings,
+double begin(const parallel& ranks, int n, const double* b, array<double>& r, const solve_settings& settings,
              solve_report& report) {
     double sums[3] = {0, 0, 0};
     for (int i = 0; i < n; ++i) {
@@ -164,7 +164,7 @@ general_solver::general_solver(const pattern& p, const parallel& ranks)
 
 solve_report general_solver::solve(const matrix& a, const double* b, double* x, const solve_settings& settings) {
     const int n = a.shape->rows;
-    const auto precondition = [&](const std::vector<double>& from, double* to) {
+    const auto precondition = [&](const array<double>& from, double* to) {
         std::fill_n(y_.begin(), y_.size(), 0.0);  // ghosts count as zero: each rank smooths its own block
         gauss_seidel<1>(a, from.data(), y_.data(), false);
         gauss_seidel<1>(a, from.data(), y_.data(), true);

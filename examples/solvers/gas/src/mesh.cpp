@@ -87,8 +87,8 @@ void mesh::compute_geometry() {
     for (const int c : neighbour) cell_count = std::max(cell_count, c + 1);
     volume.assign(cell_count, 0.0);
     centre.assign(cell_count, {});
-    std::vector<vector3> middle(cell_count);
-    std::vector<int> touched(cell_count, 0);
+    array<vector3> middle(cell_count);
+    array<int> touched(cell_count, 0);
     const auto for_each_side = [&](auto visit) {
         for (int f = 0; f < face_count; ++f) {
             visit(owner[f], f, 1.0);
@@ -108,9 +108,9 @@ void mesh::compute_geometry() {
 
 void mesh::check_geometry() {
     const int internal = internal_faces();
-    std::vector<vector3> sum(cells());
-    std::vector<double> surface(cells(), 0.0);
-    std::vector<int> count(cells(), 0);
+    array<vector3> sum(cells());
+    array<double> surface(cells(), 0.0);
+    array<int> count(cells(), 0);
     for (int f = 0; f < faces(); ++f) {
         const double s = norm(area[f]);
         if (!(s > 0)) throw mesh_error(named("face", f) + " has no area", owner[f], f);
@@ -180,9 +180,9 @@ void mesh::build_bins() {
     for_each_owned_side([&](int c, int) { ++cell_face_first_[c + 1]; });
     for (int c = 0; c < n; ++c) cell_face_first_[c + 1] += cell_face_first_[c];
     cell_faces_.resize(cell_face_first_[n]);
-    std::vector<int> next(cell_face_first_.begin(), cell_face_first_.end() - 1);
+    array<int> next(cell_face_first_.begin(), cell_face_first_.end() - 1);
     const double infinite = std::numeric_limits<double>::infinity();
-    std::vector<vector3> low(n, {infinite, infinite, infinite}), high(n, {-infinite, -infinite, -infinite});
+    array<vector3> low(n, {infinite, infinite, infinite}), high(n, {-infinite, -infinite, -infinite});
     for_each_owned_side([&](int c, int f) {
         cell_faces_[next[c]++] = f;
         for (int i = shape.face_first[f]; i < shape.face_first[f + 1]; ++i)

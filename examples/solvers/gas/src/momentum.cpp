@@ -144,7 +144,7 @@ void flow::predict(flow_state& state, const flow_medium& medium, const flow_hist
         return medium.void_fraction[c] / history.void_fraction[c] * history.velocity[c];
     };
     if (settings.inertia) {
-        std::vector<vector3>& right = drive_;
+        array<vector3>& right = drive_;
         for (int c = 0; c < n; ++c) {
             right[c] = source_[c] - m.volume[c] * state.pressure_gradient[c] + relax_[c] * state.velocity[c];
             if (history.step > 0) right[c] += inertia_[c] * before(c);

@@ -15,14 +15,14 @@ using sparse = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
 /// Compressed rows in single precision: a preconditioner needs no more, and half the bytes are half the time.
 struct rows {
-    std::vector<int> first, column;
-    std::vector<float> value;
+    array<int> first, column;
+    array<float> value;
 
     rows() = default;
     explicit rows(const sparse& a)
         : first(a.outerIndexPtr(), a.outerIndexPtr() + a.rows() + 1),
           column(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros()),
-          value(a.nonZeros()) {
+          value(static_cast<int>(a.nonZeros())) {
         for (Eigen::Index i = 0; i < a.nonZeros(); ++i) value[i] = static_cast<float>(a.valuePtr()[i]);
     }
     float times(int row, const float* x) const {
@@ -34,15 +34,15 @@ struct rows {
 
 struct level {
     rows off;                              // off-diagonal part
-    std::vector<float> diagonal;
+    array<float> diagonal;
     rows to_fine, to_coarse;               // towards the next level
-    std::vector<float> x, b, r;
+    array<float> x, b, r;
 };
 
 /// Groups of strongly coupled cells.  Returns the group of each cell and their number.
-std::vector<int> aggregate(const sparse& strong, int& groups) {
+array<int> aggregate(const sparse& strong, int& groups) {
     const int n = static_cast<int>(strong.rows());
-    std::vector<int> group(n, -1);
+    array<int> group(n, -1);
     groups = 0;
     for (int c = 0; c < n; ++c) {  // cells whose strong neighbours are all free begin a group
         bool free = group[c] < 0;
@@ -52,7 +52,7 @@ std::vector<int> aggregate(const sparse& strong, int& groups) {
         for (sparse::InnerIterator i(strong, c); i; ++i) group[i.col()] = groups;
         ++groups;
     }
-    std::vector<int> joined = group;
+    array<int> joined = group;
     for (int c = 0; c < n; ++c) {  // the rest join the group that they are most strongly coupled to
         double most = 0;
         if (group[c] >= 0) continue;
@@ -75,8 +75,8 @@ std::vector<int> aggregate(const sparse& strong, int& groups) {
 /// The matrix with couplings below `threshold` added to the diagonal.
 sparse strong_part(const sparse& a, double threshold) {
     const Eigen::VectorXd d = a.diagonal();
-    std::vector<Eigen::Triplet<double, int>> entries;
-    entries.reserve(a.nonZeros());
+    array<Eigen::Triplet<double, int>> entries;
+    entries.reserve(static_cast<int>(a.nonZeros()));
     for (int c = 0; c < a.rows(); ++c) {
         double diagonal = 0;
         for (sparse::InnerIterator i(a, c); i; ++i) {
@@ -93,10 +93,10 @@ sparse strong_part(const sparse& a, double threshold) {
 }
 
 /// Piecewise constant prolongation smoothed by one damped Jacobi step.
-sparse prolongation(const sparse& strong, const std::vector<int>& group, int groups) {
+sparse prolongation(const sparse& strong, const array<int>& group, int groups) {
     const int n = static_cast<int>(strong.rows());
     sparse tentative(n, groups);
-    std::vector<Eigen::Triplet<double, int>> entries;
+    array<Eigen::Triplet<double, int>> entries;
     for (int c = 0; c < n; ++c) entries.emplace_back(c, group[c], 1.0);
     tentative.setFromTriplets(entries.begin(), entries.end());
     sparse smoother = strong;
@@ -121,7 +121,7 @@ class multigrid final : public preconditioner {
         fine_.off.column = p.column;
         // a rank sees its own block only: entries of ghost columns are kept as zero, column 0 stands in
         for (int& c : fine_.off.column) c = c < p.rows ? c : 0;
-        fine_.off.value.resize(p.column.size());
+        fine_.off.value.resize(p.column.count());
         fine_.diagonal.resize(p.rows);
     }
 
@@ -159,8 +159,8 @@ class multigrid final : public preconditioner {
         for (const double d : a.diagonal) unit_ = std::max(unit_, d);
         coarse_.clear();
         sparse current(p.rows, p.rows);
-        std::vector<Eigen::Triplet<double, int>> entries;
-        entries.reserve(p.column.size() + p.rows);
+        array<Eigen::Triplet<double, int>> entries;
+        entries.reserve(p.column.count() + p.rows);
         for (int c = 0; c < p.rows; ++c) {
             entries.emplace_back(c, c, a.diagonal[c]);
             for (int i = p.first[c]; i < p.first[c + 1]; ++i)
@@ -172,7 +172,7 @@ class multigrid final : public preconditioner {
         while (current.rows() > 400) {
             const sparse strong = strong_part(current, threshold);
             int groups = 0;
-            const std::vector<int> group = aggregate(strong, groups);
+            const array<int> group = aggregate(strong, groups);
             if (groups > 0.8 * static_cast<double>(current.rows())) break;  // nothing left to gain
             const sparse to_fine = prolongation(strong, group, groups);
             const sparse to_coarse = to_fine.transpose();
@@ -225,7 +225,7 @@ class multigrid final : public preconditioner {
 
     const pattern* shape_;
     level fine_;
-    std::vector<level> coarse_;
+    array<level> coarse_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> direct_;
     Eigen::VectorXd right_;
     double unit_ = 1;

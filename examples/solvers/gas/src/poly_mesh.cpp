@@ -74,9 +74,9 @@ class foam_file {
     }
 
     /// A list of labels: n ( ... ), n { value }, or binary.
-    std::vector<int> labels() {
+    array<int> labels() {
         const int n = count();
-        std::vector<int> out(n);
+        array<int> out(n);
         skip_space();
         if (at_ < text_.size() && text_[at_] == '{') {
             ++at_;
@@ -94,9 +94,9 @@ class foam_file {
         expect(")");
         return out;
     }
-    std::vector<vector3> vectors() {
+    array<vector3> vectors() {
         const int n = count();
-        std::vector<vector3> out(n);
+        array<vector3> out(n);
         if (binary_) {
             if (n > 0)
                 raw(n, 3 * scalar_size_, [&](const char* from, int i) {

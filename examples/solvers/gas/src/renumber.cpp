@@ -11,26 +11,26 @@ namespace {
 
 /// Breadth-first from a cell of least degree, neighbours by rising degree, reversed (Cuthill & McKee 1969,
 /// doi:10.1145/800195.805928; reversal after George).
-std::vector<int> reverse_cuthill_mckee(const polyhedra& shape, int cells) {
-    std::vector<int> first(cells + 1, 0);
+array<int> reverse_cuthill_mckee(const polyhedra& shape, int cells) {
+    array<int> first(cells + 1, 0);
     const int internal = static_cast<int>(shape.neighbour.size());
     for (int f = 0; f < internal; ++f) {
         ++first[shape.owner[f] + 1];
         ++first[shape.neighbour[f] + 1];
     }
     for (int c = 0; c < cells; ++c) first[c + 1] += first[c];
-    std::vector<int> next(first.begin(), first.end() - 1), adjacent(first[cells]);
+    array<int> next(first.begin(), first.end() - 1), adjacent(first[cells]);
     for (int f = 0; f < internal; ++f) {
         adjacent[next[shape.owner[f]]++] = shape.neighbour[f];
         adjacent[next[shape.neighbour[f]]++] = shape.owner[f];
     }
     const auto degree = [&](int c) { return first[c + 1] - first[c]; };
     const auto fewer = [&](int a, int b) { return std::make_tuple(degree(a), a) < std::make_tuple(degree(b), b); };
-    std::vector<int> by_degree(cells), order;
+    array<int> by_degree(cells), order;
     std::iota(by_degree.begin(), by_degree.end(), 0);
     std::sort(by_degree.begin(), by_degree.end(), fewer);
     order.reserve(cells);
-    std::vector<char> seen(cells, 0);
+    array<char> seen(cells, 0);
     for (const int seed : by_degree) {
         if (seen[seed]) continue;
         seen[seed] = 1;
@@ -45,18 +45,18 @@ std::vector<int> reverse_cuthill_mckee(const polyhedra& shape, int cells) {
             std::sort(order.begin() + static_cast<std::ptrdiff_t>(begin), order.end(), fewer);
         }
     }
-    std::vector<int> new_of_old(cells);
+    array<int> new_of_old(cells);
     for (int i = 0; i < cells; ++i) new_of_old[order[i]] = cells - 1 - i;
     return new_of_old;
 }
 
 }  // namespace
 
-polyhedra renumbered(const polyhedra& shape, std::vector<int>* new_of_old) {
+polyhedra renumbered(const polyhedra& shape, array<int>* new_of_old) {
     int cells = 0;
     for (const auto* ends : {&shape.owner, &shape.neighbour})
         for (const int c : *ends) cells = std::max(cells, c + 1);
-    const std::vector<int> number = reverse_cuthill_mckee(shape, cells);
+    const array<int> number = reverse_cuthill_mckee(shape, cells);
     const int faces = static_cast<int>(shape.owner.size()), internal = static_cast<int>(shape.neighbour.size());
     const auto lower = [&](int f) {
         return f < internal ? std::min(number[shape.owner[f]], number[shape.neighbour[f]]) : number[shape.owner[f]];
@@ -64,7 +64,7 @@ polyhedra renumbered(const polyhedra& shape, std::vector<int>* new_of_old) {
     const auto upper = [&](int f) {
         return f < internal ? std::max(number[shape.owner[f]], number[shape.neighbour[f]]) : 0;
     };
-    std::vector<int> order(faces);
+    array<int> order(faces);
     std::iota(order.begin(), order.end(), 0);
     const auto before = [&](int a, int b) {
         return std::make_tuple(lower(a), upper(a), a) < std::make_tuple(lower(b), upper(b), b);

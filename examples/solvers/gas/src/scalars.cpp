@@ -94,7 +94,7 @@ void solver::solve_species(report& r, const gas_fields* before, double dt, doubl
         if (!(diagonal > 0)) diagonal = 1e-30;
         diagonal /= relax;
     }
-    const auto width = static_cast<std::size_t>(species_);
+    const int width = species_;
     double greatest = 0;
     for (int k = 0; k + 1 < species_; ++k) {
         for (int c = 0; c < m.cells(); ++c) field_[c] = gas.mass_fraction[width * c + k];

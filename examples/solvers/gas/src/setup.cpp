@@ -30,7 +30,7 @@ solver::solver(const mesh& m, std::shared_ptr<const gas_model> model, solver_set
       flow_(m, pattern_, gradients_, ranks),
       scalars_(m, pattern_, gradients_, ranks),
       turbulence_(m, gradients_, settings.turbulence_constants) {
-    const auto n = static_cast<std::size_t>(m.cells()), b = static_cast<std::size_t>(m.boundary_faces());
+    const int n = m.cells(), b = m.boundary_faces();
     require(species_ >= 1, "the gas model must have a species");
     require(settings.reference_pressure > 0, "reference_pressure must be > 0 [Pa]");
     require(settings.flow.relaxation > 0 && settings.flow.relaxation <= 1, "flow.relaxation must lie in (0, 1]");
@@ -40,7 +40,7 @@ solver::solver(const mesh& m, std::shared_ptr<const gas_model> model, solver_set
     bed.particle_velocity.assign(n, {});
     bed.heat_conductance.assign(n, 0.0);
     bed.heat_source.assign(n, 0.0);
-    sources.species.assign(n * static_cast<std::size_t>(species_), 0.0);
+    sources.species.assign(n * species_, 0.0);
     sources.enthalpy.assign(n, 0.0);
     sources.force.assign(n, {});
     boundary_.type.assign(b, flow_boundary::kind::wall);
@@ -50,7 +50,7 @@ solver::solver(const mesh& m, std::shared_ptr<const gas_model> model, solver_set
         field->assign(b, 0.0);
     scalar_boundary_.temperature.assign(b, 300.0);
     boundary_.velocity.assign(b, {});
-    boundary_fraction_.assign(species_, std::vector<double>(b, 0.0));
+    boundary_fraction_.assign(species_, array<double>(b, 0.0));
     for (auto* field : {&wall_conductance_, &wall_source_, &diffusivity_, &slip_speed_, &field_}) field->assign(n, 0.0);
     free_.assign(n, 1);
     medium_.compressibility.assign(n, 0.0);
@@ -62,7 +62,7 @@ void solver::set(const std::string& name, const patch_condition& c) {
     using kind = patch_condition::kind;
     const mesh& m = *mesh_;
     const patch& p = m.find_patch(name);
-    const std::vector<double>& y = c.gas.mass_fraction;
+    const array<double>& y = c.gas.mass_fraction;
     if (c.type == kind::inlet || c.type == kind::outlet) {
         double sum = 0;
         for (const double v : y) sum += v;
@@ -122,20 +122,20 @@ void solver::add(const nozzle& n) {
     require(n.mass_flow >= 0, "nozzle: mass flow must be >= 0 [kg/s]");
     require(static_cast<int>(n.gas.mass_fraction.size()) == species_, "nozzle: wrong number of mass fractions");
     for (int k = 0; k < species_; ++k)
-        sources.species[static_cast<std::size_t>(species_) * n.cell + k] += n.mass_flow * n.gas.mass_fraction[k];
+        sources.species[species_ * n.cell + k] += n.mass_flow * n.gas.mass_fraction[k];
     sources.enthalpy[n.cell] += n.mass_flow * model_->enthalpy(n.gas.temperature, n.gas.mass_fraction.data());
     sources.force[n.cell] += n.mass_flow * n.velocity;
 }
 
-void solver::initialise(double temperature, const std::vector<double>& y) {
+void solver::initialise(double temperature, const array<double>& y) {
     require(static_cast<int>(y.size()) == species_, "initialise: wrong number of mass fractions");
     require(temperature > 0, "initialise: temperature must be > 0 [K]");
-    const auto n = static_cast<std::size_t>(mesh_->cells());
+    const int n = mesh_->cells();
     gas.flow = flow_.make_state();
     gas.temperature.assign(n, temperature);
     gas.enthalpy.assign(n, model_->enthalpy(temperature, y.data()));
     gas.mass_fraction.clear();
-    for (std::size_t c = 0; c < n; ++c) gas.mass_fraction.insert(gas.mass_fraction.end(), y.begin(), y.end());
+    for (int c = 0; c < n; ++c) gas.mass_fraction.insert(gas.mass_fraction.end(), y.begin(), y.end());
     for (auto* field : {&gas.density, &gas.viscosity, &gas.conductivity, &gas.specific_heat, &gas.eddy_viscosity})
         field->assign(n, 0.0);
     gas.kinetic.assign(n, 1e-4);

@@ -30,9 +30,9 @@ double axial_size(const shaft& s, double z) {
 }
 
 /// Adds levels after `from` up to `to`, so that each cell holds the same share of the integral of dz / size.
-void fill_levels(std::vector<double>& level, const shaft& s, double from, double to) {
+void fill_levels(array<double>& level, const shaft& s, double from, double to) {
     const int samples = 512;
-    std::vector<double> sum{0.0};
+    array<double> sum{0.0};
     for (int i = 0; i < samples; ++i)
         sum.push_back(sum.back() + (to - from) / samples / axial_size(s, from + (to - from) * (i + 0.5) / samples));
     const int cells = std::max(1, static_cast<int>(std::lround(sum.back())));
@@ -46,8 +46,8 @@ void fill_levels(std::vector<double>& level, const shaft& s, double from, double
 }
 
 /// Angles of the mesh lines around the shaft, beginning at -45 degrees; a multiple of 4 in number.
-std::vector<double> angles(const shaft& s, double wall_radius) {
-    std::vector<double> angle;
+array<double> angles(const shaft& s, double wall_radius) {
+    array<double> angle;
     const double cell = s.cross_size / wall_radius;
     const int sectors = s.burners ? s.burner.count : 4;
     const double sector = 2 * pi / sectors;
@@ -64,17 +64,17 @@ std::vector<double> angles(const shaft& s, double wall_radius) {
         for (int i = 0; i < between; ++i) angle.push_back(middle + nozzle / 2 + free_angle * i / between);
     }
     // Rotate the list so that it begins with the line at -45 degrees (half way between two burners).
-    std::vector<double> out;
+    array<double> out;
     const int shift = s.burners ? between / 2 : 0, n = static_cast<int>(angle.size());
     for (int i = 0; i < n; ++i) out.push_back(angle[(i + n - shift) % n] - (i < shift ? 2 * pi : 0));
     return out;
 }
 
 struct section {  // the cross section for radius 1
-    std::vector<vector3> points;
-    std::vector<std::array<int, 4>> quads;
-    std::vector<int> sector_of_quad;  // line number on the wall for the outermost ring, else -1
-    std::vector<double> angle;
+    array<vector3> points;
+    array<std::array<int, 4>> quads;
+    array<int> sector_of_quad;  // line number on the wall for the outermost ring, else -1
+    array<double> angle;
     double swell = 1;  // corners of the wall polygon over the radius
 };
 
@@ -85,7 +85,7 @@ section cross_section(const shaft& s, double wall_radius) {
     const double core = 0.55;  // half width of the core over the radius
     const int rings = std::max(2, static_cast<int>(std::lround((1 - core) * wall_radius / s.cross_size)));
 
-    std::vector<vector3> rim, wall;
+    array<vector3> rim, wall;
     double polygon = 0;
     for (int i = 0; i < around; ++i) {
         const double a = out.angle[i], next = i + 1 < around ? out.angle[i + 1] : out.angle[0] + 2 * pi;
@@ -123,7 +123,7 @@ section cross_section(const shaft& s, double wall_radius) {
         if (i < 3 * side) return core_point(0, 3 * side - i);
         return core_point(i - 3 * side, 0);
     };
-    const std::vector<double> step = graded(1.0, rings, s.wall_growth);
+    const array<double> step = graded(1.0, rings, s.wall_growth);
     const int ring_start = static_cast<int>(out.points.size());
     for (int r = 1; r <= rings; ++r)
         for (int i = 0; i < around; ++i) out.points.push_back((1 - step[r]) * rim[i] + step[r] * wall[i]);
@@ -163,7 +163,7 @@ polyhedra make(const shaft& s) {
     const int around = static_cast<int>(plane.angle.size());
     const auto width = [&](int i) { return (i + 1 < around ? plane.angle[i + 1] : plane.angle[0] + 2 * pi) - plane.angle[i]; };
     const auto middle = [&](int i) { return plane.angle[i] + width(i) / 2; };
-    std::vector<double> breaks;
+    array<double> breaks;
     for (const auto& p : s.profile) breaks.push_back(p.z);
     // Half the height that gives columns of wall faces of this total chord the area of a round nozzle.
     const auto half_height = [&](double diameter, double chord, double z) {
@@ -186,7 +186,7 @@ polyhedra make(const shaft& s) {
         burner_half = half_height(s.burner.diameter, chord, s.burner.height);
     }
     // The pipe: whole columns of wall faces around the x axis, about as wide as high.
-    std::vector<char> in_pipe(around, 0);
+    array<char> in_pipe(around, 0);
     if (s.outlet) {
         double chord = 0;
         for (int i = 0; i < around; ++i) {
@@ -198,19 +198,19 @@ polyhedra make(const shaft& s) {
         pipe_half = half_height(s.pipe.diameter, chord, s.pipe.height);
     }
     std::sort(breaks.begin(), breaks.end());
-    std::vector<double> level{bottom};
+    array<double> level{bottom};
     for (const double b : breaks) {
         if (b < bottom || b > top) throw std::invalid_argument("hearth::gas: shaft: burners or pipe lie outside");
         if (b > level.back() + 1e-9 * (top - bottom)) fill_levels(level, s, level.back(), b);
     }
 
-    std::vector<vector3> points;
+    array<vector3> points;
     for (const double z : level)
         for (const vector3& p : plane.points) points.push_back({radius(s, z) * p.x, radius(s, z) * p.y, z});
     const int layer_points = static_cast<int>(plane.points.size());
     const int layer_cells = static_cast<int>(plane.quads.size());
-    const int layers = static_cast<int>(level.size()) - 1;
-    std::vector<std::array<int, 8>> cells;
+    const int layers = level.count() - 1;
+    array<std::array<int, 8>> cells;
     for (int k = 0; k < layers; ++k)
         for (const auto& q : plane.quads) {
             const int low = k * layer_points, high = low + layer_points;

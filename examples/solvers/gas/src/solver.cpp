@@ -34,13 +34,13 @@ void solver::update_medium() {
     medium_.particle_velocity = bed.particle_velocity;
     medium_.momentum_source = sources.force;
     medium_.gravity = settings.gravity;
-    medium_.viscosity.resize(gas.density.size());
+    medium_.viscosity.resize(m.cells());
     for (int c = 0; c < m.cells(); ++c) {
         const double e = bed.void_fraction[c];
         free_[c] = 1 - e <= settings.bed_threshold;
         medium_.viscosity[c] = free_[c] ? gas.viscosity[c] + gas.eddy_viscosity[c] : 0;
         double mass = 0;
-        for (int k = 0; k < species_; ++k) mass += sources.species[static_cast<std::size_t>(species_) * c + k];
+        for (int k = 0; k < species_; ++k) mass += sources.species[species_ * c + k];
         medium_.mass_source[c] = mass;
         if (!bed.exchange.empty()) {
             medium_.exchange[c] = bed.exchange[c];
@@ -84,7 +84,7 @@ void solver::inner_iteration(report& r, const flow_history& history, const gas_f
 /// Mass that comes in per time and volume [kg/(m^3 s)]: what inertia resists with over one passage.
 double solver::through_flow_rate() const {
     double sums[2] = {0, 0};
-    for (std::size_t b = 0; b < boundary_.mass_flux.size(); ++b)
+    for (int b = 0; b < mesh_->boundary_faces(); ++b)
         sums[0] += std::max({0.0, -boundary_.mass_flux[b], -gas.flow.mass_flux[b + mesh_->internal_faces()]});
     for (int c = 0; c < mesh_->owned_cells(); ++c) {
         sums[0] += std::max(medium_.mass_source[c], 0.0);

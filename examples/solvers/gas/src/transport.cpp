@@ -17,8 +17,8 @@ transport::transport(const mesh& m, const pattern& p, const gradient& g, const p
       values_(m.boundary_faces()),
       slope_(m.cells()) {}
 
-void transport::assemble(const std::vector<double>& mass_flux, const std::vector<double>& diffusivity,
-                         const std::vector<double>& boundary_diffusion) {
+void transport::assemble(const array<double>& mass_flux, const array<double>& diffusivity,
+                         const array<double>& boundary_diffusion) {
     const mesh& m = *mesh_;
     const int internal = m.internal_faces(), n = m.owned_cells();
     mass_flux_ = mass_flux.data();
@@ -41,7 +41,7 @@ void transport::assemble(const std::vector<double>& mass_flux, const std::vector
         a.diagonal[m.owner[f]] += boundary_diffusion[f - internal] + std::max(-mass_flux[f], 0.0);
 }
 
-void transport::start(const std::vector<double>& field, const std::vector<double>& boundary_value) {
+void transport::start(const array<double>& field, const array<double>& boundary_value) {
     const mesh& m = *mesh_;
     const int internal = m.internal_faces(), n = m.owned_cells();
     for (int f = internal; f < m.faces(); ++f) {

@@ -14,14 +14,14 @@ k_epsilon::k_epsilon(const mesh& m, const gradient&, const constants& c)
       diffusivity_(m.cells()),
       no_diffusion_(m.boundary_faces(), 0.0) {}
 
-void k_epsilon::wall_treatment(const gas_fields& gas, const std::vector<char>& free, flow_boundary& boundary) {
+void k_epsilon::wall_treatment(const gas_fields& gas, const array<char>& free, flow_boundary& boundary) {
     const mesh& m = *mesh_;
     const double c4 = std::sqrt(std::sqrt(c_.c_mu));
     std::fill(fixed_dissipation_.begin(), fixed_dissipation_.end(), 0.0);
     // Where y+ leaves the viscous sublayer: y = ln(E y) / kappa.
     double edge = 11;
     for (int i = 0; i < 20; ++i) edge = std::log(c_.roughness * edge) / c_.kappa;
-    std::vector<double> wall_area(m.owned_cells(), 0.0), wall_production(m.owned_cells(), 0.0);
+    array<double> wall_area(m.owned_cells(), 0.0), wall_production(m.owned_cells(), 0.0);
     for (int f = m.internal_faces(); f < m.faces(); ++f) {
         const int b = f - m.internal_faces(), c = m.owner[f];
         if (boundary.type[b] != flow_boundary::kind::wall) continue;
@@ -58,10 +58,10 @@ void k_epsilon::fix(transport& t, int cell, double value) const {
     t.right[cell] = t.a.diagonal[cell] * value;
 }
 
-double k_epsilon::iterate(gas_fields& gas, const bed_fields& bed, const std::vector<char>& free, transport& scalars,
-                          const std::vector<vector3>& velocity_gradient, flow_boundary& boundary,
-                          const std::vector<double>& boundary_kinetic,
-                          const std::vector<double>& boundary_dissipation, const gas_fields* before, double step) {
+double k_epsilon::iterate(gas_fields& gas, const bed_fields& bed, const array<char>& free, transport& scalars,
+                          const array<vector3>& velocity_gradient, flow_boundary& boundary,
+                          const array<double>& boundary_kinetic,
+                          const array<double>& boundary_dissipation, const gas_fields* before, double step) {
     const mesh& m = *mesh_;
     const int n = m.owned_cells();
     for (int c = 0; c < n; ++c) {

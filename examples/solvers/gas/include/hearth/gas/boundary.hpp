@@ -4,8 +4,8 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
+#include <hearth/gas/array.hpp>
 #include <hearth/gas/mesh.hpp>
 
 namespace hearth::gas {
@@ -13,7 +13,7 @@ namespace hearth::gas {
 /// A gas that enters: temperature, composition, turbulence.
 struct stream {
     double temperature = 300;                  ///< [K]
-    std::vector<double> mass_fraction{1.0};    ///< adds up to 1 [-]
+    array<double> mass_fraction{1.0};    ///< adds up to 1 [-]
     double turbulence_intensity = 0.05;        ///< velocity fluctuation over velocity [-]
     double turbulence_length = 0.01;           ///< [m]
 };

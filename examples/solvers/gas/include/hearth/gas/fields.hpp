@@ -2,10 +2,10 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include <hearth/closure/drag.hpp>
 #include <hearth/closure/ergun.hpp>
+#include <hearth/gas/array.hpp>
 #include <hearth/gas/flow.hpp>
 #include <hearth/gas/vector3.hpp>
 
@@ -13,16 +13,16 @@ namespace hearth::gas {
 
 /// State of the gas, per cell (owned, then ghosts) or per face.
 struct gas_fields {
-    std::vector<double> temperature;    ///< [K]
-    std::vector<double> enthalpy;       ///< absolute [J/kg]
-    std::vector<double> mass_fraction;  ///< cell by cell, species_count each [-]
-    std::vector<double> density;        ///< [kg/m^3]
-    std::vector<double> viscosity;      ///< laminar [Pa s]
-    std::vector<double> conductivity;   ///< laminar [W/(m K)]
-    std::vector<double> specific_heat;  ///< [J/(kg K)]
-    std::vector<double> kinetic;        ///< turbulent kinetic energy k [m^2/s^2]
-    std::vector<double> dissipation;    ///< its dissipation [m^2/s^3]
-    std::vector<double> eddy_viscosity; ///< [Pa s]
+    array<double> temperature;    ///< [K]
+    array<double> enthalpy;       ///< absolute [J/kg]
+    array<double> mass_fraction;  ///< cell by cell, species_count each [-]
+    array<double> density;        ///< [kg/m^3]
+    array<double> viscosity;      ///< laminar [Pa s]
+    array<double> conductivity;   ///< laminar [W/(m K)]
+    array<double> specific_heat;  ///< [J/(kg K)]
+    array<double> kinetic;        ///< turbulent kinetic energy k [m^2/s^2]
+    array<double> dissipation;    ///< its dissipation [m^2/s^3]
+    array<double> eddy_viscosity; ///< [Pa s]
     flow_state flow;                    ///< gauge pressure, superficial velocity, mass fluxes, pressure gradient
 };
 
@@ -40,22 +40,22 @@ drag_function make_drag(Drag drag) {
 
 /// The particles as the gas sees them, per cell.
 struct bed_fields {
-    std::vector<double> void_fraction;       ///< (0, 1] [-]
-    std::vector<double> diameter;            ///< Sauter mean of the particles there [m]
-    std::vector<vector3> particle_velocity;  ///< the true one: that of the accelerated motion over Gamma [m/s]
+    array<double> void_fraction;       ///< (0, 1] [-]
+    array<double> diameter;            ///< Sauter mean of the particles there [m]
+    array<vector3> particle_velocity;  ///< the true one: that of the accelerated motion over Gamma [m/s]
     /// Exchange by particles through a transfer operator, used instead of the closure where not empty:
     /// sum W K [kg/(m^3 s)], with particle_velocity the mean weighted by it.
-    std::vector<double> exchange;
+    array<double> exchange;
     // Heat exchange through the same operator, implicit: the gas loses heat_conductance * T - heat_source.
-    std::vector<double> heat_conductance;    ///< sum W K [W/K] per cell
-    std::vector<double> heat_source;         ///< sum W K T_particle [W] per cell
+    array<double> heat_conductance;    ///< sum W K [W/K] per cell
+    array<double> heat_source;         ///< sum W K T_particle [W] per cell
 };
 
 /// What comes into the gas beside the boundaries, per cell; zero by default.
 struct source_fields {
-    std::vector<double> species;    ///< [kg/s], cell by cell, species_count each; drying, reaction, nozzles
-    std::vector<double> enthalpy;   ///< absolute enthalpy of what comes, and any heat [W]
-    std::vector<vector3> force;     ///< momentum of what comes, and any force [N]
+    array<double> species;    ///< [kg/s], cell by cell, species_count each; drying, reaction, nozzles
+    array<double> enthalpy;   ///< absolute enthalpy of what comes, and any heat [W]
+    array<vector3> force;     ///< momentum of what comes, and any force [N]
 };
 
 }  // namespace hearth::gas

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
 
+#include <hearth/gas/array.hpp>
 #include <hearth/gas/gradient.hpp>
 #include <hearth/gas/linear.hpp>
 #include <hearth/gas/mesh.hpp>
@@ -11,41 +11,41 @@ namespace hearth::gas {
 
 /// What drives and resists the flow, handed in before each outer iteration.  Fields per cell with ghosts.
 struct flow_medium {
-    std::vector<double> density;            ///< [kg/m^3]
-    std::vector<double> compressibility;    ///< d(density)/d(pressure) [kg/(m^3 Pa)]; used in transients only
-    std::vector<double> void_fraction;      ///< [-]
-    std::vector<double> viscosity;          ///< effective; 0 in the bed, where the drag holds all friction [Pa s]
-    std::vector<double> exchange;           ///< drag on the particles per slip of the interstitial gas [kg/(m^3 s)]
-    std::vector<vector3> particle_velocity; ///< [m/s]
-    std::vector<double> mass_source;        ///< [kg/s] per cell
-    std::vector<vector3> momentum_source;   ///< with the mass source, and any other force [N] per cell
+    array<double> density;            ///< [kg/m^3]
+    array<double> compressibility;    ///< d(density)/d(pressure) [kg/(m^3 Pa)]; used in transients only
+    array<double> void_fraction;      ///< [-]
+    array<double> viscosity;          ///< effective; 0 in the bed, where the drag holds all friction [Pa s]
+    array<double> exchange;           ///< drag on the particles per slip of the interstitial gas [kg/(m^3 s)]
+    array<vector3> particle_velocity; ///< [m/s]
+    array<double> mass_source;        ///< [kg/s] per cell
+    array<vector3> momentum_source;   ///< with the mass source, and any other force [N] per cell
     vector3 gravity;                        ///< [m/s^2]
 };
 
 /// Conditions per boundary face.
 struct flow_boundary {
     enum class kind : unsigned char { inlet, outlet, wall, slip };
-    std::vector<kind> type;
-    std::vector<double> mass_flux;      ///< inlet: out of the domain, so negative [kg/s]
-    std::vector<double> pressure;       ///< outlet: above the reference [Pa]
-    std::vector<vector3> velocity;      ///< superficial; inlet and wall [m/s]
-    std::vector<double> wall_viscosity; ///< wall: effective, from the wall function [Pa s]
+    array<kind> type;
+    array<double> mass_flux;      ///< inlet: out of the domain, so negative [kg/s]
+    array<double> pressure;       ///< outlet: above the reference [Pa]
+    array<vector3> velocity;      ///< superficial; inlet and wall [m/s]
+    array<double> wall_viscosity; ///< wall: effective, from the wall function [Pa s]
 };
 
 /// The state of the flow.
 struct flow_state {
-    std::vector<double> pressure;       ///< above the reference, per cell [Pa]
-    std::vector<vector3> velocity;      ///< superficial, per cell [m/s]
-    std::vector<double> mass_flux;      ///< through each face, from owner to neighbour [kg/s]
-    std::vector<vector3> pressure_gradient;  ///< per cell, consistent with the fluxes [Pa/m]
+    array<double> pressure;       ///< above the reference, per cell [Pa]
+    array<vector3> velocity;      ///< superficial, per cell [m/s]
+    array<double> mass_flux;      ///< through each face, from owner to neighbour [kg/s]
+    array<vector3> pressure_gradient;  ///< per cell, consistent with the fluxes [Pa/m]
 };
 
 /// What a time step keeps of the step before.  step = 0: steady.
 struct flow_history {
     double step = 0;                    ///< [s]
     double storage = 1;                 ///< factor s on the storage of mass (time scale splitting) [-]
-    std::vector<double> density, void_fraction, mass_flux;
-    std::vector<vector3> velocity;
+    array<double> density, void_fraction, mass_flux;
+    array<vector3> velocity;
 };
 
 struct flow_settings {
@@ -87,7 +87,7 @@ class flow {
                         const flow_history& history, const flow_settings& settings);
 
     /// Velocity gradients of the last iteration, three vectors per cell. [1/s]
-    const std::vector<vector3>& velocity_gradient() const { return gradient_; }
+    const array<vector3>& velocity_gradient() const { return gradient_; }
 
   private:
     void assemble_momentum(const flow_state&, const flow_medium&, const flow_boundary&, const flow_history&,
@@ -103,15 +103,15 @@ class flow {
     const parallel* ranks_;
     symmetric_solver pressure_solver_;
     matrix momentum_, pressure_;
-    std::vector<vector3> gradient_;           // of the velocity, three per cell
-    std::vector<vector3> source_;             // of momentum, without the pressure gradient [N / e]
-    std::vector<vector3> drive_;              // forces of the neighbours and sources, the cell's own share taken off [N/m^3]
-    std::vector<vector3> previous_, boundary_velocity_;
-    std::vector<double> inverse_void_;
-    std::vector<double> coupling_;            // sum of the couplings of a row [kg/s]
-    std::vector<double> total_;               // diagonal without relaxation and inertia [kg/s]
-    std::vector<double> relax_, inertia_;     // further diagonal parts; then all per volume [kg/(m^3 s)]
-    std::vector<double> right_, conductance_, explicit_flux_, previous_pressure_;
+    array<vector3> gradient_;           // of the velocity, three per cell
+    array<vector3> source_;             // of momentum, without the pressure gradient [N / e]
+    array<vector3> drive_;              // forces of the neighbours and sources, the cell's own share taken off [N/m^3]
+    array<vector3> previous_, boundary_velocity_;
+    array<double> inverse_void_;
+    array<double> coupling_;            // sum of the couplings of a row [kg/s]
+    array<double> total_;               // diagonal without relaxation and inertia [kg/s]
+    array<double> relax_, inertia_;     // further diagonal parts; then all per volume [kg/(m^3 s)]
+    array<double> right_, conductance_, explicit_flux_, previous_pressure_;
 };
 
 }  // namespace hearth::gas

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cmath>
-#include <vector>
 
+#include <hearth/gas/array.hpp>
 #include <hearth/gas/mesh.hpp>
 
 namespace hearth::gas {
@@ -21,7 +21,7 @@ class gradient {
   private:
     const mesh* mesh_;
     struct symmetric { double xx, xy, xz, yy, yz, zz; };
-    std::vector<symmetric> inverse_;
+    array<symmetric> inverse_;
 };
 
 /// van Albada's limiter on a face between the upwind cell and the downwind one (Astron. Astrophys. 108 (1982) 76), with

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
+#include <hearth/gas/array.hpp>
 #include <hearth/gas/mesh.hpp>
 #include <hearth/gas/parallel.hpp>
 
@@ -14,22 +14,22 @@ struct pattern {
     explicit pattern(const mesh& m);
 
     int rows = 0, columns = 0;
-    std::vector<int> first;            ///< size rows + 1: where a row's entries begin
-    std::vector<int> column;           ///< rising within a row; the diagonal is kept apart
-    std::vector<int> owner_entry;      ///< per internal face: entry of the owner's row
-    std::vector<int> neighbour_entry;  ///< per internal face: entry of the neighbour's row, -1 where that is a ghost
+    array<int> first;            ///< size rows + 1: where a row's entries begin
+    array<int> column;           ///< rising within a row; the diagonal is kept apart
+    array<int> owner_entry;      ///< per internal face: entry of the owner's row
+    array<int> neighbour_entry;  ///< per internal face: entry of the neighbour's row, -1 where that is a ghost
 };
 
 /// Sparse matrix with one row per owned cell.
 struct matrix {
-    explicit matrix(const pattern& p) : shape(&p), diagonal(p.rows, 0.0), entry(p.column.size(), 0.0) {}
+    explicit matrix(const pattern& p) : shape(&p), diagonal(p.rows, 0.0), entry(p.column.count(), 0.0) {}
 
     void clear();
     /// y = A x.  x holds its ghosts.
     void apply(const double* x, double* y) const;
 
     const pattern* shape;
-    std::vector<double> diagonal, entry;
+    array<double> diagonal, entry;
 };
 
 struct solve_settings {
@@ -60,9 +60,6 @@ class preconditioner {
 /// Vanek, Mandel, Brezina, Computing 56 (1996) 179, doi:10.1007/BF02238511.  On several ranks each rank has its own.
 std::unique_ptr<preconditioner> make_multigrid(const pattern& p);
 
-/// BoomerAMG of hypre over all ranks (libhypre), or null where hearth was built without it.
-std::unique_ptr<preconditioner> make_hypre(const pattern& p, const mesh& m, const parallel& ranks);
-
 /// Conjugate gradients.  x holds a start and, on return, the best finite iterate with its ghosts gathered.
 /// Rebuilds the preconditioner when it needs half as many iterations again as just after the last rebuild.
 class symmetric_solver {
@@ -76,7 +73,7 @@ class symmetric_solver {
     std::unique_ptr<preconditioner> preconditioner_;
     const parallel* ranks_;
     double fresh_rate_ = 0;  // ln(residual reduction) per iteration just after the last rebuild
-    std::vector<double> r_, z_, p_, q_;
+    array<double> r_, z_, p_, q_;
 };
 
 /// BiCGSTAB (van der Vorst 1992, doi:10.1137/0913035) behind symmetric Gauss-Seidel, for matrices of any symmetry.
@@ -88,7 +85,7 @@ class general_solver {
 
   private:
     const parallel* ranks_;
-    std::vector<double> r_, start_, p_, v_, s_, t_, y_, best_;
+    array<double> r_, start_, p_, v_, s_, t_, y_, best_;
 };
 
 /// One Gauss-Seidel sweep over `Width` right-hand sides that share the matrix (cell-major); backward where asked.

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
+#include <hearth/gas/array.hpp>
 #include <hearth/gas/vector3.hpp>
 
 namespace hearth::gas {
@@ -26,12 +26,12 @@ struct patch {
 
 /// Points and the faces spanned by them: what a generator or a reader hands in.
 struct polyhedra {
-    std::vector<vector3> points;     ///< [m]
-    std::vector<int> face_first;     ///< size faces + 1: where the points of a face begin in face_points
-    std::vector<int> face_points;    ///< point numbers, turning right-handed about the area vector
-    std::vector<int> owner;          ///< one per face
-    std::vector<int> neighbour;      ///< one per internal face; internal faces come first
-    std::vector<patch> patches;      ///< in face order, covering every boundary face
+    array<vector3> points;     ///< [m]
+    array<int> face_first;     ///< size faces + 1: where the points of a face begin in face_points
+    array<int> face_points;    ///< point numbers, turning right-handed about the area vector
+    array<int> owner;          ///< one per face
+    array<int> neighbour;      ///< one per internal face; internal faces come first
+    array<patch> patches;      ///< in face order, covering every boundary face
 };
 
 /// Face-addressed polyhedral mesh.
@@ -60,17 +60,17 @@ class mesh {
     /// The owned cell that holds the point, or -1.  A point on a face belongs to one of its cells.
     int find_cell(const vector3& point) const;
 
-    std::vector<int> owner, neighbour;
-    std::vector<vector3> area;         ///< [m^2] per face
-    std::vector<vector3> face_centre;  ///< [m]
-    std::vector<vector3> centre;       ///< [m] per cell
-    std::vector<double> volume;        ///< [m^3] per cell
-    std::vector<double> owner_weight;  ///< per internal face: weight of the owner in a linear interpolation [-]
-    std::vector<double> conductance;   ///< per face: |S|^2 / (S.d), d from centre to centre (or to the face) [m]
-    std::vector<patch> patches;
+    array<int> owner, neighbour;
+    array<vector3> area;         ///< [m^2] per face
+    array<vector3> face_centre;  ///< [m]
+    array<vector3> centre;       ///< [m] per cell
+    array<double> volume;        ///< [m^3] per cell
+    array<double> owner_weight;  ///< per internal face: weight of the owner in a linear interpolation [-]
+    array<double> conductance;   ///< per face: |S|^2 / (S.d), d from centre to centre (or to the face) [m]
+    array<patch> patches;
     polyhedra shape;                   ///< points and faces, for output and location
-    std::vector<std::int64_t> global;  ///< per cell: number in the undivided mesh; empty where that is the cell itself
-    std::vector<int> ghost_rank;       ///< per ghost: the rank that owns it
+    array<std::int64_t> global;  ///< per cell: number in the undivided mesh; empty where that is the cell itself
+    array<int> ghost_rank;       ///< per ghost: the rank that owns it
     double largest_angle = 0;          ///< greatest angle between face normal and the line of centres [degree]
 
   private:
@@ -83,11 +83,11 @@ class mesh {
     // uniform bins over the bounding box; each lists the cells whose box touches it
     vector3 low_, bin_size_;
     int bins_[3] = {0, 0, 0};
-    std::vector<int> bin_first_, bin_cells_, cell_face_first_, cell_faces_;
+    array<int> bin_first_, bin_cells_, cell_face_first_, cell_faces_;
 };
 
 /// Cells in reverse Cuthill-McKee order and faces sorted by owner, then neighbour: near cells lie near in memory.
 /// Patches keep their order.  `new_of_old`, where given, receives the new number of each cell.
-polyhedra renumbered(const polyhedra& shape, std::vector<int>* new_of_old = nullptr);
+polyhedra renumbered(const polyhedra& shape, array<int>* new_of_old = nullptr);
 
 }  // namespace hearth::gas

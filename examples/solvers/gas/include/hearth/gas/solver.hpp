@@ -3,8 +3,8 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
+#include <hearth/gas/array.hpp>
 #include <hearth/gas/boundary.hpp>
 #include <hearth/gas/fields.hpp>
 #include <hearth/gas/flow.hpp>
@@ -55,7 +55,7 @@ struct report {
     std::int64_t temperature_limited = 0;  ///< cells whose enthalpy lies outside the gas model's range
     std::int64_t backflow_faces = 0;       ///< outlet faces through which gas comes in
     balance mass, enthalpy;
-    std::vector<balance> species;
+    array<balance> species;
 };
 
 /// Gas in a packed bed and in the free space around it: low-Mach flow, enthalpy, species, turbulence.
@@ -80,7 +80,7 @@ class solver {
     void add(const nozzle& n);
 
     /// Resting gas of one temperature [K] and composition.
-    void initialise(double temperature, const std::vector<double>& mass_fraction = {1.0});
+    void initialise(double temperature, const array<double>& mass_fraction = {1.0});
 
     /// Darcy-Forchheimer flow: resistance and body forces only; always possible, the start of everything else.
     report level_zero(int iterations = 8);
@@ -113,8 +113,8 @@ class solver {
     static const parallel& single_rank();
 
   private:
-    struct scalar_boundary { std::vector<double> temperature, enthalpy, fixed, kinetic, dissipation; };
-    const double* composition(int cell) const { return &gas.mass_fraction[static_cast<std::size_t>(species_) * cell]; }
+    struct scalar_boundary { array<double> temperature, enthalpy, fixed, kinetic, dissipation; };
+    const double* composition(int cell) const { return &gas.mass_fraction[species_ * cell]; }
     void check_bed() const;
     void update_density();
     void update_medium();
@@ -140,11 +140,11 @@ class solver {
     flow_medium medium_;
     flow_boundary boundary_;
     scalar_boundary scalar_boundary_;
-    std::vector<std::vector<double>> boundary_fraction_;   // per species, per boundary face
-    std::vector<double> wall_conductance_, wall_source_;   // per cell [W/K], [W]
-    std::vector<double> diffusivity_, boundary_diffusion_, slip_speed_, old_void_, field_;
-    std::vector<double> stored_density_;  // that the balance of mass of the last iteration ended with [kg/m^3]
-    std::vector<char> free_;
+    array<array<double>> boundary_fraction_;   // per species, per boundary face
+    array<double> wall_conductance_, wall_source_;   // per cell [W/K], [W]
+    array<double> diffusivity_, boundary_diffusion_, slip_speed_, old_void_, field_;
+    array<double> stored_density_;  // that the balance of mass of the last iteration ended with [kg/m^3]
+    array<char> free_;
 };
 
 }  // namespace hearth::gas

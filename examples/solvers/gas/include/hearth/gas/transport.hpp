@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
 
+#include <hearth/gas/array.hpp>
 #include <hearth/gas/gradient.hpp>
 #include <hearth/gas/linear.hpp>
 #include <hearth/gas/mesh.hpp>
@@ -26,18 +26,18 @@ class transport {
     ///     mass_flux           per face [kg/s]
     ///     diffusivity         per cell with ghosts, times density and void fraction [kg/(m s)]
     ///     boundary_diffusion  per boundary face: conductance to the boundary value [kg/s]; 0 for most
-    void assemble(const std::vector<double>& mass_flux, const std::vector<double>& diffusivity,
-                  const std::vector<double>& boundary_diffusion);
+    void assemble(const array<double>& mass_flux, const array<double>& diffusivity,
+                  const array<double>& boundary_diffusion);
 
     /// The matrix and the right-hand side of one scalar; the caller adds storage and sources, then solves.
     matrix a;
-    std::vector<double> right;
+    array<double> right;
 
     /// Right-hand side of a scalar: boundary values, limited and non-orthogonal corrections from its present field.
     ///     boundary_value      per boundary face: what inflow brings and what boundary diffusion leads to
-    void start(const std::vector<double>& field, const std::vector<double>& boundary_value);
+    void start(const array<double>& field, const array<double>& boundary_value);
 
-    solve_report solve(std::vector<double>& field, const solve_settings& settings) {
+    solve_report solve(array<double>& field, const solve_settings& settings) {
         return solver_.solve(a, right.data(), field.data(), settings);
     }
 
@@ -49,8 +49,8 @@ class transport {
     general_solver solver_;
     const double* mass_flux_ = nullptr;
     const double* boundary_diffusion_ = nullptr;
-    std::vector<double> face_diffusivity_, values_;
-    std::vector<vector3> slope_;
+    array<double> face_diffusivity_, values_;
+    array<vector3> slope_;
 };
 
 }  // namespace hearth::gas

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
 
+#include <hearth/gas/array.hpp>
 #include <hearth/gas/fields.hpp>
 #include <hearth/gas/transport.hpp>
 
@@ -23,19 +23,19 @@ class k_epsilon {
 
     /// One implicit pass over k and epsilon, then the eddy viscosity and the wall viscosities of `boundary`.
     /// `free` marks the cells outside the bed.  step 0: steady.  Returns the rms change of k over its rms.
-    double iterate(gas_fields& gas, const bed_fields& bed, const std::vector<char>& free, transport& scalars,
-                   const std::vector<vector3>& velocity_gradient, flow_boundary& boundary,
-                   const std::vector<double>& boundary_kinetic, const std::vector<double>& boundary_dissipation,
+    double iterate(gas_fields& gas, const bed_fields& bed, const array<char>& free, transport& scalars,
+                   const array<vector3>& velocity_gradient, flow_boundary& boundary,
+                   const array<double>& boundary_kinetic, const array<double>& boundary_dissipation,
                    const gas_fields* before, double step);
 
   private:
     struct wall_face { int face, cell; double distance; };
-    void wall_treatment(const gas_fields&, const std::vector<char>& free, flow_boundary&);
+    void wall_treatment(const gas_fields&, const array<char>& free, flow_boundary&);
     void fix(transport&, int cell, double value) const;
 
     const mesh* mesh_;
     constants c_;
-    std::vector<double> production_, fixed_dissipation_, diffusivity_, no_diffusion_, k_, e_;
+    array<double> production_, fixed_dissipation_, diffusivity_, no_diffusion_, k_, e_;
 };
 
 }  // namespace hearth::gas
