@@ -86,7 +86,8 @@ struct vfs_case {
         const auto volume = volumes_of_components(graph, labels, std::vector<double>(solid_fraction.size(), 1.0));
         for (std::size_t c = 0; c < solid_fraction.size(); ++c) {
             const auto k = static_cast<std::size_t>(labels[c]);
-            solid_fraction[c] = static_cast<double>(solid_fraction[c] * (mean * volume[k] / solid[k]));
+            const auto wanted = static_cast<long double>(mean) * volume[k] / solid[k];
+            solid_fraction[c] = static_cast<double>(static_cast<long double>(solid_fraction[c]) * wanted);
         }
     }
 };

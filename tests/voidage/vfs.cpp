@@ -334,7 +334,8 @@ TEST_CASE("vfs: refuses solid beyond round-off in any component, accepts round-o
             auto field = example.solid_fraction;
             for (std::size_t c = 0; c < field.size(); ++c) {
                 const auto k = static_cast<std::size_t>(example.labels[c]);
-                field[c] *= static_cast<double>(example.threshold * volume[k] / solid[k]) * (1 + excess);
+                const auto full = static_cast<long double>(example.threshold) * volume[k] / solid[k];
+                field[c] *= static_cast<double>(full) * (1 + excess);
             }
             return field;
         };

@@ -71,9 +71,9 @@ TEST_CASE("vfs transfer: sums stay, constants stay, and gather is the transpose 
         run.smoother.gather(gathered);
         long double sum = 0, scattered_sum = 0, forward = 0, backward = 0, scale = 0;
         for (std::size_t c = 0; c < cells; ++c) {
-            sum += amounts[c];
-            scattered_sum += scattered[c];
-            scale += std::abs(amounts[c]);
+            sum += static_cast<long double>(amounts[c]);
+            scattered_sum += static_cast<long double>(scattered[c]);
+            scale += static_cast<long double>(std::abs(amounts[c]));
             forward += static_cast<long double>(scattered[c]) * static_cast<long double>(values[c]);
             backward += static_cast<long double>(amounts[c]) * static_cast<long double>(gathered[c]);
         }

@@ -22,11 +22,11 @@ class reproducible_sum {
         const int width = 61 - count_bits;
         int exponent = 0;
         std::frexp(bound, &exponent);  // bound < 2^exponent
-        scale_exponent_ = width - exponent;
+        const int scale = width - exponent;
         limb_ = std::ldexp(1.0, width);
         // A single power of two could overflow for tiny bounds, so scale in two exact steps.
-        scale_first_ = std::ldexp(1.0, scale_exponent_ / 2);
-        scale_second_ = std::ldexp(1.0, scale_exponent_ - scale_exponent_ / 2);
+        scale_first_ = std::ldexp(1.0, scale / 2);
+        scale_second_ = std::ldexp(1.0, scale - scale / 2);
     }
 
     void add(double term) {
@@ -56,7 +56,7 @@ class reproducible_sum {
         const auto limb = static_cast<long double>(limb_);
         const long double sum = static_cast<long double>(limbs_[0]) +
                                 (static_cast<long double>(limbs_[1]) + static_cast<long double>(limbs_[2]) / limb) / limb;
-        return static_cast<double>(std::ldexp(sum, -scale_exponent_));
+        return static_cast<double>(sum) / scale_second_ / scale_first_;  // powers of two
     }
 
   private:
@@ -64,7 +64,6 @@ class reproducible_sum {
     double scale_first_ = 1;
     double scale_second_ = 1;
     double limb_ = 1;
-    int scale_exponent_ = 0;
 };
 
 }  // namespace hearth

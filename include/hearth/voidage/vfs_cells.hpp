@@ -128,8 +128,16 @@ class smoothing_mesh {
         return {graph_->neighbours() + graph_->row_begin(cell), graph_->neighbours() + graph_->row_end(cell)};
     }
 
-    void prefetch_row_bounds(index cell) const { prefetch(graph_->row_bounds() + cell); }
-    void prefetch_row(index cell) const { prefetch(graph_->neighbours() + graph_->row_begin(cell)); }
+    /// Asks for what the cells that come next will need, in the order of dependence: cell_of(k) is the k-th of count
+    /// owned cells, scattered over memory; touch(n) asks for what is needed of a neighbour.
+    template <class CellOf, class Touch>
+    void look_ahead(std::size_t k, std::size_t count, const CellOf& cell_of, const Touch& touch) const {
+        if (k + 24 < count) prefetch(graph_->row_bounds() + cell_of(k + 24));
+        if (k + 16 < count) prefetch(graph_->neighbours() + graph_->row_begin(cell_of(k + 16)));
+        if (k + 8 < count) {
+            for (const index n : neighbours(cell_of(k + 8))) touch(n);
+        }
+    }
 
     /// Place of a cell in the order of the global indices, and back.
     std::size_t place(index cell) const {

@@ -64,7 +64,7 @@ class smoothing_completion {
 
     std::size_t memory() const {
         return pieces_.memory() + directory_.memory() + reach_.capacity() * sizeof(region_id) +
-               meetings_.capacity() * sizeof(meetings_[0]) +
+               (front_.capacity() + meetings_.capacity()) * sizeof(meetings_[0]) +
                (region_of_.capacity() + growing_.capacity() + reached_.capacity() + changed_.capacity()) * sizeof(index);
     }
     int rings() const { return rings_; }
@@ -94,33 +94,47 @@ class smoothing_completion {
         for (const index cell : stuck) {
             const index region = pieces_.add();
             if constexpr (is_distributed) directory_.found(region);
-            pieces_[region].account.excess.add(cells.above(cell, threshold) * mesh_.volume(cell));
-            join(cell, region, cells);
+            visit(cell, region, cells);
+            join(cell).excess.add(cells.above(cell, threshold) * mesh_.volume(cell));
             growing_.push_back(region);
         }
         settle();
     }
 
-    /// A cell joins the front of a region.
-    void join(index cell, index region, smoothing_cells& cells) {
+    /// Says that a cell belongs to a region, before it joins its front.
+    void visit(index cell, index region, smoothing_cells& cells) {
         cells.set(cell, smoothing_cells::visited);
         region_of_[static_cast<std::size_t>(cell)] = region;
+    }
+
+    /// A cell joins the front of its region; returns the account of that.
+    region_account& join(index cell) {
+        const index region = pieces_.find(region_of_[static_cast<std::size_t>(cell)]);
         pieces_.append(region, cell);
-        region_account& account = pieces_[pieces_.find(region)].account;
+        if (changed_.empty() || changed_.back() != region) changed_.push_back(region);
+        region_account& account = pieces_[region].account;
         account.volume.add(mesh_.volume(cell));
         account.front += 1;
         account.first = std::min(account.first, mesh_.graph().global_index(cell));
-        changed_.push_back(region);
+        return account;
     }
 
     template <class Read>
     void grow(double threshold, smoothing_cells& cells, const Read& read) {
-        std::vector<std::pair<index, index>> front;  // cell and region
+        front_.clear();
         for (const index region : growing_) {
-            pieces_.advance(region, [&](index cell) { front.emplace_back(cell, region); });
+            pieces_.advance(region, [&](index cell) { front_.emplace_back(cell, region); });
         }
-        if constexpr (is_distributed) add_ghosts(front);
-        for (const auto& [cell, region] : front) {
+        const std::size_t owned_count = front_.size();
+        if constexpr (is_distributed) add_ghosts(front_);
+        for (std::size_t k = 0; k < front_.size(); ++k) {
+            mesh_.look_ahead(
+                k, owned_count, [&](std::size_t at) { return front_[at].first; },
+                [&](index n) {
+                    cells.prefetch(n);
+                    if (!is_distributed || n < mesh_.owned()) prefetch(&region_of_[static_cast<std::size_t>(n)]);
+                });
+            const auto [cell, region] = front_[k];
             for (const index n : mesh_.neighbours(cell)) {
                 if (n >= mesh_.owned()) continue;  // its owner sees this cell as a ghost
                 if (cells.is(n, smoothing_cells::visited)) {
@@ -128,8 +142,7 @@ class smoothing_completion {
                     if (other != region) meetings_.emplace_back(region, other);
                 } else {
                     cells.touch(n, read);
-                    cells.set(n, smoothing_cells::visited);
-                    region_of_[static_cast<std::size_t>(n)] = region;
+                    visit(n, region, cells);
                     reached_.push_back(n);
                 }
             }
@@ -143,9 +156,8 @@ class smoothing_completion {
         }
         meetings_.clear();
         for (const index cell : reached_) {
-            const index region = region_of_[static_cast<std::size_t>(cell)];
-            join(cell, region, cells);
-            pieces_[pieces_.find(region)].account.free.add(room(cells, cell, threshold) * mesh_.volume(cell));
+            region_account& account = join(cell);
+            if (const double free = room(cells, cell, threshold); free > 0) account.free.add(free * mesh_.volume(cell));
         }
         reached_.clear();
     }
@@ -259,6 +271,7 @@ class smoothing_completion {
     region_pieces pieces_;
     std::vector<index> region_of_;  // of visited cells
     std::vector<index> growing_;
+    std::vector<std::pair<index, index>> front_;  // cells, and the region of each
     std::vector<std::pair<index, index>> meetings_;
     std::vector<index> reached_;
     std::vector<index> changed_;  // regions with new cells

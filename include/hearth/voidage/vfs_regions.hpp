@@ -115,9 +115,9 @@ class region_pieces {
         left.tail = right.tail;
     }
 
-    /// Puts a cell at the front of a region.
+    /// Puts a cell at the front of a region, of which p is the piece that stands for all.
     void append(index p, index cell) {
-        piece& root = (*this)[find(p)];
+        piece& root = (*this)[p];
         const auto at = static_cast<index>(members_.size());
         members_.push_back({cell, -1, true});
         if (root.head < 0) {

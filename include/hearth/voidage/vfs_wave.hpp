@@ -87,7 +87,8 @@ class smoothing_wave {
     void sweep(double threshold, smoothing_cells& cells, smoothing_log& log, const Read& read) {
         if constexpr (!is_distributed) {
             for (std::size_t k = 0; k < front_.size(); ++k) {
-                look_ahead(k, cells);
+                mesh_.look_ahead(
+                    k, front_.size(), [&](std::size_t at) { return front_[at]; }, [&](index n) { cells.prefetch(n); });
                 const index cell = front_[k];
                 find_receivers(cell, cells);
                 if (const share given = cut(cell, threshold, cells); given.amount > 0) {
@@ -116,39 +117,34 @@ class smoothing_wave {
         }
     }
 
-    /// The front is known, but scattered: asks for what its next cells will need, in the order of dependence.
-    void look_ahead(std::size_t k, const smoothing_cells& cells) const {
-        if (k + 24 < front_.size()) mesh_.prefetch_row_bounds(front_[k + 24]);
-        if (k + 16 < front_.size()) mesh_.prefetch_row(front_[k + 16]);
-        if (k + 8 < front_.size()) {
-            for (const index n : mesh_.neighbours(front_[k + 8])) cells.prefetch(n);
-        }
-    }
-
     /// The neighbours that are not marked, as cells and as bits of the row, and the sum of their volumes.
     void find_receivers(index cell, const smoothing_cells& cells) {
         const auto row = mesh_.neighbours(cell);
         const auto count = static_cast<std::size_t>(row.last - row.first);
         if (receivers_.size() < count) receivers_.resize(count);
+        index* next = receivers_.data();
         bits_.clear();
-        receiver_count_ = 0;
-        unsigned byte = 0;
-        for (std::size_t k = 0; k < count; ++k) {
-            const unsigned receives = cells.is(row.first[k], smoothing_cells::marked) ? 0 : 1;
-            receivers_[receiver_count_] = row.first[k];
-            receiver_count_ += receives;  // without a branch: nobody could predict it
-            byte |= receives << k % 8;
-            if (k % 8 == 7 || k + 1 == count) {
-                bits_.push_back(static_cast<std::uint8_t>(byte));
-                byte = 0;
+        for (const index* at = row.first; at != row.last;) {
+            const index* const last = at + std::min<std::ptrdiff_t>(8, row.last - at);
+            unsigned byte = 0;
+            for (unsigned bit = 1; at != last; ++at, bit <<= 1) {
+                const bool receives = !cells.is(*at, smoothing_cells::marked);
+                *next = *at;
+                next += receives ? 1 : 0;  // without a branch: nobody could predict it
+                byte |= receives ? bit : 0;
             }
+            bits_.push_back(static_cast<std::uint8_t>(byte));
         }
-        receiver_volume_ = receiver_volume_rest_ = 0;
-        for (std::size_t r = 0; r < receiver_count_; ++r) {
-            const two_sum grown(receiver_volume_, mesh_.volume(receivers_[r]));
-            receiver_volume_ = grown.sum;
-            receiver_volume_rest_ += grown.error;
+        receiver_count_ = static_cast<std::size_t>(next - receivers_.data());
+        double volume = 0;
+        double rest = 0;
+        for (const index* n = receivers_.data(); n != next; ++n) {
+            const two_sum grown(volume, mesh_.volume(*n));
+            volume = grown.sum;
+            rest += grown.error;
         }
+        receiver_volume_ = volume;
+        receiver_volume_rest_ = rest;
     }
 
     share cut(index cell, double threshold, const smoothing_cells& cells) {
