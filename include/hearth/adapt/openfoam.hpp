@@ -29,6 +29,19 @@ struct hearth::mesh_traits<Mesh, std::enable_if_t<std::is_base_of_v<Foam::fvMesh
     }
     static index find_cell(const Foam::fvMesh& mesh, const point& x) { return mesh.findCell({x[0], x[1], x[2]}); }
 
+    /// Of patches that are coupled along an axis; all ranks call it.
+    static Foam::vector period(const Foam::fvMesh& mesh) {
+        Foam::vector length(Foam::Zero);
+        for (const Foam::polyPatch& patch : mesh.boundaryMesh()) {
+            const auto* coupled = Foam::isA<Foam::coupledPolyPatch>(patch);
+            if (coupled == nullptr || !coupled->parallel()) continue;
+            for (const Foam::vector& apart : coupled->separation()) length = Foam::max(length, Foam::cmptMag(apart));
+        }
+        Foam::reduce(length, Foam::maxOp<Foam::vector>());
+        for (Foam::scalar& l : length) l = l > 1e-9 * Foam::mag(length) ? l : 0;  // round-off of face centres
+        return length;
+    }
+
     template <class Visit>
     static void for_each_face(const Foam::fvMesh& mesh, Visit&& visit) {
         const auto& areas = mesh.magSf();
@@ -93,6 +106,7 @@ struct hearth::mesh_traits<hearth::openfoam::distributed_mesh> {
     static const Foam::vector& centre(const mesh_type& m, index cell) { return local::centre(m.mesh(), cell); }
     static Foam::vector extent(const mesh_type& m, index cell) { return local::extent(m.mesh(), cell); }
     static index find_cell(const mesh_type& m, const point& x) { return local::find_cell(m.mesh(), x); }
+    static Foam::vector period(const mesh_type& m) { return local::period(m.mesh()); }
     static std::int64_t global_index(const mesh_type& m, index cell) { return m.ids()[cell]; }
     static std::uint64_t revision(const mesh_type& m) { return local::revision(m.mesh()); }
     template <class Visit>
