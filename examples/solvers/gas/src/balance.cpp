@@ -26,27 +26,36 @@ void solver::check_balances(report& r, const gas_fields* before, double dt, doub
         for (int k = 0; k < width; ++k)
             count(all[2 + k], gas.mass_fraction[width * c + k], boundary_fraction_[k][b]);
     }
+    array<double> supplied(2 + width), gathered(2 + width);  // sums of magnitudes
+    const auto supply = [&](int k, double x) {
+        all[k].source += x;
+        supplied[k] += std::abs(x);
+    };
+    const auto store = [&](int k, double x) {
+        all[k].stored += x;
+        gathered[k] += std::abs(x);
+    };
     for (int c = 0; c < m.owned_cells(); ++c) {
-        all[0].source += medium_.mass_source[c];
-        all[1].source += sources.enthalpy[c] + bed.heat_source[c] + wall_source_[c] -
-                         (bed.heat_conductance[c] + wall_conductance_[c]) * gas.temperature[c];
-        for (int k = 0; k < width; ++k) all[2 + k].source += sources.species[width * c + k];
+        supply(0, medium_.mass_source[c]);
+        supply(1, sources.enthalpy[c] + bed.heat_source[c] + wall_source_[c] -
+                      (bed.heat_conductance[c] + wall_conductance_[c]) * gas.temperature[c]);
+        for (int k = 0; k < width; ++k) supply(2 + k, sources.species[width * c + k]);
         if (!before) continue;
         const double rate = storage * m.volume[c] / dt;
         const double now = rate * bed.void_fraction[c] * gas.density[c], then = rate * old_void_[c] * before->density[c];
-        all[0].stored += now - then;
-        all[1].stored += now * gas.enthalpy[c] - then * before->enthalpy[c];
-        if (settings.pressure_work)
-            all[1].stored -= rate * bed.void_fraction[c] * (gas.flow.pressure[c] - before->flow.pressure[c]);
+        const double work = settings.pressure_work ? gas.flow.pressure[c] - before->flow.pressure[c] : 0;
+        store(0, now - then);
+        store(1, now * gas.enthalpy[c] - then * before->enthalpy[c] - rate * bed.void_fraction[c] * work);
         for (int k = 0; k < width; ++k)
-            all[2 + k].stored += now * gas.mass_fraction[width * c + k] - then * before->mass_fraction[width * c + k];
+            store(2 + k, now * gas.mass_fraction[width * c + k] - then * before->mass_fraction[width * c + k]);
     }
-    for (balance& x : all) {
-        double sums[4] = {x.in, x.out, x.source, x.stored};
-        ranks_->sum(sums, 4);
-        const double scale = std::max({sums[0], sums[1], std::abs(sums[2]), std::abs(sums[3])});
+    for (int k = 0; k < 2 + width; ++k) {
+        balance& x = all[k];
+        double sums[6] = {x.in, x.out, x.source, x.stored, supplied[k], gathered[k]};
+        ranks_->sum(sums, 6);
+        const double turnover = std::max({sums[0], sums[1], sums[4], sums[5]});
         const double missing = sums[0] - sums[1] + sums[2] - sums[3];
-        x = {sums[0], sums[1], sums[2], sums[3], scale > 0 ? std::abs(missing) / scale : 0};
+        x = {sums[0], sums[1], sums[2], sums[3], turnover, turnover > 0 ? std::abs(missing) / turnover : 0};
     }
     r.backflow_faces = static_cast<std::int64_t>(ranks_->sum(backflow));
     r.mass = all[0];

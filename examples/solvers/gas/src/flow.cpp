@@ -71,6 +71,8 @@ flow_report flow::iterate(flow_state& state, const flow_medium& medium, const fl
     }
     ranks_->sum(sums, 6);
     const double range = ranks_->max(high) + ranks_->max(-low);
+    // gas slower than a nanometre per second rests: its changes are round-off
+    sums[3] += 1e-18 * sums[5];
     const auto ratio = [](double a, double b) { return a > 0 ? (b > 0 ? a / b : 1.0) : a == 0 ? 0.0 : a; };
     report.mass_imbalance = ratio(sums[0], sums[1]);
     report.velocity_change = std::sqrt(ratio(sums[2], sums[3]));

@@ -61,7 +61,7 @@ struct flow_settings {
 
 struct flow_report {
     double mass_imbalance = 0;          ///< before the pressure solve: sum of |net flux| over the through-flow [-]
-    double velocity_change = 0;         ///< of this iteration, rms over rms [-]
+    double velocity_change = 0;         ///< of this iteration, rms over rms (1e-9 m/s at least) [-]
     double pressure_change = 0;         ///< rms over the range of pressures [-]
     solve_report pressure;
 };

@@ -38,7 +38,8 @@ struct balance {
     double in = 0, out = 0;      ///< through boundaries [kg/s] or [W]
     double source = 0;           ///< from cells: nozzles, reaction, particles, walls; positive into the gas
     double stored = 0;           ///< rate of storage times its factor
-    double error = 0;            ///< |in - out + source - stored| over the largest of them [-]
+    double turnover = 0;         ///< the largest of in, out, and the sums of |source| and |stored| over the cells
+    double error = 0;            ///< |in - out + source - stored| over the turnover [-]
 };
 
 /// How an iteration, a steady solution or a time step ended.
