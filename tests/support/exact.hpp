@@ -15,11 +15,11 @@ namespace hearth::test {
 /// Area of the part of a disc of radius R about the origin with X < x and Y < y.
 inline double disc_corner_area(double R, double x, double y) {
     const double pi = 3.14159265358979323846;
-    if (x <= -R || y <= -R) return 0;
+    if (R <= 0 || x <= -R || y <= -R) return 0;
     x = std::min(x, R);
     y = std::min(y, R);
     const auto primitive = [&](double t) {
-        return 0.5 * (t * std::sqrt(std::max(0.0, R * R - t * t)) + R * R * std::asin(t / R));
+        return 0.5 * (t * std::sqrt(std::max(0.0, R * R - t * t)) + R * R * std::asin(std::min(t / R, 1.0)));
     };
     if (x * x + y * y <= R * R) return x * y + primitive(x) + primitive(y) + pi * R * R / 4;
     const auto beyond = [&](double t) { return pi * R * R / 2 - 2 * primitive(t); };  // area with X > t

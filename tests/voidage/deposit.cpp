@@ -151,22 +151,30 @@ TEST_CASE("deposit: the ramp is defined and continuous at every ratio of particl
         for (std::size_t c = 0; c < before.size(); ++c) {
             change += std::abs(after[c] - before[c]) * mesh.volume(static_cast<int>(c));
         }
-        // A share changes by at most 1e-6 / 1.25 of the volume of its cell, the sum of all shares by as much for each
-        // cell, and the cell of the centre has 0.2 of its volume at least.  A particle of a cell's size touches up to 27
-        // cells, as in the bar of 1e-4 for the field.
+        // The degree of a cell changes by 3e-6 at most, the sum of all by as much for each cell, and the fullest cell has
+        // 1/2 at least.  A particle of up to a cell's size shares itself between 8 cells mostly, 27 at most: 1e-4.
         CHECK(change <= 1e-4 * bed.volume());
     }
 }
 
-TEST_CASE("deposit: a tiny particle spreads its volume as interpolation does") {
-    const auto field = deposited(unit_lattice(4), one_sphere({0.375, 0.375, 0.375}, 1e-5));
-    // In the centre of a cell: the cell is full, its six neighbours are 1 extent away: 1/2 - (1 - 1/2)/1.25 = 0.1 each.
+TEST_CASE("deposit: a tiny particle belongs to its cell in the middle, and to both cells alike on a face") {
+    const double volume = 4.0 / 3 * pi * 1e-15;
     const std::size_t cell = 1 + 4 * (1 + 4 * 1);
-    const double one = 4.0 / 3 * pi * 1e-15 * 64;
-    CHECK(field[cell] == doctest::Approx(one / 1.6).epsilon(1e-6));  // weights are floats
-    CHECK(field[cell + 1] == doctest::Approx(0.1 * one / 1.6).epsilon(1e-6));
-    CHECK(field[cell - 16] == doctest::Approx(0.1 * one / 1.6).epsilon(1e-6));
-    CHECK(field[cell + 5] == 0);
+    const auto field = [&](double x) { return deposited(unit_lattice(4), one_sphere({x, 0.375, 0.375}, 1e-5)); };
+    CHECK(field(0.375)[cell] == doctest::Approx(64 * volume).epsilon(1e-14));
+    // A twentieth of a cell before the face, the ramp being 0.375 cells wide.  Weights are floats.
+    CHECK(field(0.4875)[cell] == doctest::Approx(64 * volume * (0.5 + 0.05 / 0.375)).epsilon(1e-6));
+    CHECK(field(0.4875)[cell + 1] == doctest::Approx(64 * volume * (0.5 - 0.05 / 0.375)).epsilon(1e-6));
+    CHECK(field(0.5)[cell] == doctest::Approx(32 * volume).epsilon(1e-6));
+    CHECK(field(0.5)[cell + 1] == doctest::Approx(32 * volume).epsilon(1e-6));
+
+    // On the face to a cell of four times the length half each, too; in the middle of the small one, an eighth of the
+    // large one from the face, 1 to 1/2 - 0.125 / 0.375.
+    const box_mesh unequal({{{0, 1, 5}, {0, 4}, {0, 4}}}, {false, false, false});
+    const auto share = [&](double x) { return deposited(unequal, one_sphere({x, 2, 2}, 1e-5))[0] * 16 / volume; };
+    CHECK(share(1.0) == doctest::Approx(0.5).epsilon(1e-6));
+    CHECK(share(0.5) == doctest::Approx(6.0 / 7).epsilon(1e-6));
+    CHECK(share(3.0) == doctest::Approx(0.0));
 }
 
 TEST_CASE("deposit: the ramp tends to the exact overlap of sphere and cell as cells become small") {

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+// Solid fraction of a random bed of spheres, ours and what others do, on three kinds of mesh.
+//
+// error: rms difference [-] from the exact indicator of the spheres under a Gaussian of half a diameter, reflected at the
+// walls, over about 1000 cells of the mesh, weighted with their volumes.  d_dx: diameter over the cube root of the mean
+// volume of the cells.  Methods that resolve the spheres aim at another field and are far from this one at d_dx > 1: that
+// is the point, see filtered_fraction.hpp.
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include <hearth/core/lattice.hpp>
+#include <hearth/voidage/filtered_fraction.hpp>
+#include <hearth/voidage/kernel_smoother.hpp>
+#include <hearth/voidage/vfs.hpp>
+
+#include "rivals/voidage.hpp"
+#include "support/beds.hpp"
+#include "support/box_mesh.hpp"
+#include "support/counters.hpp"
+
+namespace {
+
+using namespace hearth::test;
+using hearth::point;
+
+constexpr double side = 8;
+
+const packing& bed() {
+    static const packing made = make_packing({0.55, {side, side, side}, 0, {false, false, false}, 1});
+    return made;
+}
+
+hearth::lattice make_mesh(const hearth::lattice*, double d_dx) { return lattice_over(bed(), d_dx); }
+
+struct graded_mesh : box_mesh {
+    using box_mesh::box_mesh;
+};
+/// The last cell of an axis is four times as long as the first: volumes over a factor of 64.
+graded_mesh make_mesh(const graded_mesh*, double d_dx) {
+    const int n = static_cast<int>(side * d_dx);
+    const double ratio = std::pow(4.0, 1.0 / (n - 1));
+    return {{graded_planes(side, n, ratio), graded_planes(side, n, ratio), graded_planes(side, n, ratio)}, {false, false, false}};
+}
+
+struct split_mesh : box_mesh {
+    using box_mesh::box_mesh;
+};
+/// Every third block of boxes is split into eights: polyhedra with up to 24 faces beside them.
+split_mesh make_mesh(const split_mesh*, double d_dx) {
+    const int n = std::max(2, static_cast<int>(std::lround(side * d_dx / std::cbrt(1 + 7.0 / 3))));
+    const auto planes = graded_planes(side, n, 1);
+    return {{planes, planes, planes}, {false, false, false}, [](int i, int j, int k) { return (i / 2 + j / 2 + k / 2) % 3 == 0; }};
+}
+
+}  // namespace
+
+template <>
+struct hearth::mesh_traits<graded_mesh> : hearth::mesh_traits<box_mesh> {};
+template <>
+struct hearth::mesh_traits<split_mesh> : hearth::mesh_traits<box_mesh> {};
+
+namespace {
+
+/// A mesh with all that methods may prepare once, and the truth in some of its cells.
+template <class Mesh>
+struct prepared {
+    explicit prepared(double d_dx)
+        : mesh(make_mesh(static_cast<const Mesh*>(nullptr), d_dx)), graph(mesh), locator(mesh, graph) {
+        using traits = hearth::mesh_traits<Mesh>;
+        const auto exact = gauss_truth(bed());
+        stride = std::max(1, graph.cell_count() / 1000) | 1;
+        for (int c = 0; c < graph.cell_count(); c += stride) {
+            const point extent = traits::extent(mesh, c);
+            const int points = extent[0] > 1.5 ? 8 : extent[0] > 0.6 ? 5 : 3;
+            truth.push_back(exact.mean(traits::centre(mesh, c), extent, points));
+        }
+    }
+    double error(const std::vector<double>& field) const {
+        double squares = 0, volumes = 0;
+        for (std::size_t k = 0; k < truth.size(); ++k) {
+            const int c = static_cast<int>(k) * stride;
+            const double difference = field[static_cast<std::size_t>(c)] - truth[k];
+            squares += difference * difference * graph.volume(c);
+            volumes += graph.volume(c);
+        }
+        return std::sqrt(squares / volumes);
+    }
+    static const prepared& at(double d_dx) {
+        static std::map<double, std::unique_ptr<prepared>> made;
+        auto& one = made[d_dx];
+        if (!one) one = std::make_unique<prepared>(d_dx);
+        return *one;
+    }
+
+    Mesh mesh;
+    hearth::cell_graph<> graph;
+    hearth::cell_locator<Mesh> locator;
+    int stride = 1;
+    std::vector<double> truth;
+};
+
+constexpr double sigma = 0.5;
+
+/// Runs method(prepared) -> field and compares.
+template <class Mesh, class Method>
+void compare(benchmark::State& state, double d_dx, const Method& method) {
+    const auto& on = prepared<Mesh>::at(d_dx);
+    std::vector<double> field;
+    for (auto _ : state) {
+        field = method(on);
+        benchmark::DoNotOptimize(field.data());
+    }
+    bench::set_error(state, on.error(field));
+    bench::set_items(state, static_cast<double>(bed().radii.size()));
+    double volume = 0;
+    for (int c = 0; c < on.graph.cell_count(); ++c) volume += field[static_cast<std::size_t>(c)] * on.graph.volume(c);
+    state.counters["lost_volume"] = 1 - volume / bed().volume();
+}
+
+template <class Prepared>
+std::vector<double> smoothed(const Prepared& on, double threshold, hearth::vfs_variant variant) {
+    std::vector<double> field(static_cast<std::size_t>(on.graph.cell_count()));
+    hearth::deposit_solid_fraction(on.locator, bed(), field, hearth::deposit::centre{});
+    const auto report = hearth::volume_fraction_smoother(on.graph, {threshold, variant}).smooth(field);
+    benchmark::DoNotOptimize(report.sweeps);
+    return field;
+}
+
+template <class Prepared, class Mesh>
+std::vector<double> filtered(const Prepared& on, hearth::transfer_operator<Mesh>& transfer) {
+    std::vector<double> field(static_cast<std::size_t>(on.graph.cell_count()));
+    benchmark::DoNotOptimize(transfer.distribute(bed(), field).maximum);
+    return field;
+}
+
+template <class Mesh>
+void register_mesh(const std::string& family) {
+    for (const double d_dx : {0.5, 1.0, 2.0, 4.0, 8.0}) {
+        const std::string at = "/d_dx:" + std::to_string(d_dx).substr(0, d_dx < 1 ? 3 : 1);
+        const auto add = [&](const std::string& method, const auto& run) {
+            benchmark::RegisterBenchmark((family + "/" + method + at).c_str(),
+                                         [=](benchmark::State& state) { compare<Mesh>(state, d_dx, run); })
+                ->Unit(benchmark::kMillisecond);
+        };
+        for (const double threshold : {0.9, 0.74}) {
+            const std::string limit = threshold > 0.8 ? "/threshold 0.9" : "/threshold 0.74";
+            add("centre, clamped" + limit, [=](const auto& on) {
+                return rivals::clamped(on.locator, bed(), hearth::deposit::centre{}, threshold);
+            });
+            add("divided, clamped" + limit, [=](const auto& on) {
+                return rivals::clamped(on.locator, bed(), hearth::deposit::divided{}, threshold);
+            });
+            add("VFS of the paper" + limit, [=](const auto& on) {
+                return smoothed(on, threshold, hearth::vfs_variant::paper);
+            });
+            add("VFS completed" + limit, [=](const auto& on) {
+                return smoothed(on, threshold, hearth::vfs_variant::completed);
+            });
+            // Set up with the mesh, as a host would that keeps it.
+            auto transfer = std::make_shared<std::unique_ptr<hearth::transfer_operator<Mesh>>>();
+            add("filtered" + limit, [=](const auto& on) {
+                if (!*transfer) {
+                    hearth::filtered_fraction_settings settings;
+                    settings.threshold = threshold;
+                    *transfer = std::make_unique<hearth::transfer_operator<Mesh>>(on.locator, settings);
+                }
+                return filtered(on, **transfer);
+            });
+        }
+        add("Gauss", [](const auto& on) { return rivals::gauss(on.locator, bed(), sigma); });
+        add("implicit diffusion", [](const auto& on) { return rivals::implicit_diffusion(on.locator, bed(), sigma); });
+        add("exact overlap", [](const auto& on) { return rivals::exact_overlap(on.locator, bed()); });
+        add("ramp alone", [](const auto& on) {
+            return rivals::clamped(on.locator, bed(), hearth::deposit::ramp{}, std::numeric_limits<double>::infinity());
+        });
+    }
+}
+
+/// The kernel smoother alone on six million cells; error: relative change of the volume.
+template <class Mesh>
+void smoother(benchmark::State& state, double width, double bytes_per_cell) {
+    static const hearth::lattice shape{{{182, 182, 182}, {1, 1, 1}, {false, false, false}, {0, 0, 0}}};
+    static const Mesh mesh{shape};
+    static const hearth::cell_graph<> graph(mesh);
+    hearth::kernel_smoother<> kernel(graph, width);
+    std::vector<double> field(static_cast<std::size_t>(graph.cell_count()));
+    hearth_test::seeded random(1);
+    for (double& value : field) value = random.uniform(0, 1);
+    const auto total = [&] {
+        long double sum = 0;
+        for (const double value : field) sum += static_cast<long double>(value);
+        return sum;
+    };
+    const long double before = total();
+    for (auto _ : state) kernel.smooth(field);
+    bench::set_error(state, static_cast<double>(std::abs(total() / before - 1)));
+    bench::set_items(state, static_cast<double>(field.size()) * kernel.terms());
+    bench::set_compulsory_bytes(state, bytes_per_cell * static_cast<double>(field.size()) * kernel.terms());
+    state.counters["terms"] = kernel.terms();
+}
+
+/// The same lattice without saying so.
+struct faces_only : hearth::lattice {};
+
+/// Sources out and gas values back on the lattice; error: of sum f u = sum F U, relative to the sum of magnitudes.
+void transfer_both_ways(benchmark::State& state, double d_dx) {
+    const auto& on = prepared<hearth::lattice>::at(d_dx);
+    hearth::transfer_operator<hearth::lattice> transfer(on.locator);
+    const auto cells = static_cast<std::size_t>(on.graph.cell_count()), particles = bed().radii.size();
+    std::vector<double> sources(particles), received(cells), gas(cells), seen(particles);
+    transfer.distribute(bed(), received);
+    hearth_test::seeded random(1);
+    for (double& value : sources) value = random.uniform(-1, 1);
+    for (double& value : gas) value = random.uniform(-1, 1);
+    for (auto _ : state) {
+        transfer.scatter(sources, received);
+        transfer.gather(gas, seen);
+    }
+    double at_cells = 0, at_particles = 0, magnitude = 0;
+    for (std::size_t c = 0; c < cells; ++c) at_cells += received[c] * gas[c];
+    for (std::size_t p = 0; p < particles; ++p) {
+        at_particles += sources[p] * seen[p];
+        magnitude += std::abs(sources[p]);
+    }
+    bench::set_error(state, std::abs(at_cells - at_particles) / magnitude);
+    bench::set_items(state, static_cast<double>(particles));
+}
+
+}  // namespace
+
+template <>
+struct hearth::mesh_traits<faces_only> {
+    using base = hearth::mesh_traits<hearth::lattice>;
+    using index = base::index;
+    using scalar = double;
+    static index cell_count(const faces_only& m) { return base::cell_count(m); }
+    static double volume(const faces_only& m, index c) { return base::volume(m, c); }
+    template <class Visit>
+    static void for_each_face(const faces_only& m, Visit&& visit) {
+        base::for_each_face(m, visit);
+    }
+};
+
+namespace {
+
+const bool registered = [] {
+    register_mesh<hearth::lattice>("solid fraction on a lattice");
+    register_mesh<graded_mesh>("solid fraction on a graded mesh");
+    register_mesh<split_mesh>("solid fraction on a mesh with hanging faces");
+    for (const double d_dx : {1.0, 2.0, 4.0}) {
+        benchmark::RegisterBenchmark(("transfer both ways/stored footprints/d_dx:" + std::to_string(static_cast<int>(d_dx))).c_str(),
+                                     transfer_both_ways, d_dx)
+            ->Unit(benchmark::kMillisecond);
+    }
+    // What must move each term: three vectors read and one written; offsets, volumes, six neighbours and conductances.
+    for (const double width : {0.9, 2.0}) {  // d/dx 1.8 and 4
+        const std::string at = width < 1 ? "/d_dx:1.8" : "/d_dx:4";
+        benchmark::RegisterBenchmark(("smoother on 6 million cells/lattice" + at).c_str(), smoother<hearth::lattice>, width, 32.0)
+            ->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(("smoother on 6 million cells/lists" + at).c_str(), smoother<faces_only>, width, 92.0)
+            ->Unit(benchmark::kMillisecond);
+    }
+    return true;
+}();
+
+}  // namespace
