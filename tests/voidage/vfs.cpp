@@ -282,6 +282,25 @@ TEST_CASE("vfs: smooth of touched cells also refuses what it meets on its way") 
     CHECK(smooth.smooth(field, std::vector<int>{2}).maximum == 0.9);
 }
 
+TEST_CASE("vfs: an over-full cell that was not named is smoothed by the wave that meets it, and never loses volume") {
+    const lattice mesh{{{20, 1, 1}}};
+    const cell_graph<> graph(mesh);
+    smoother smooth(graph, {0.9});
+    std::vector<double> field(20, 0.0);
+    field[5] = 2;
+    field[6] = 1.5;
+    CHECK(smooth.smooth(field, std::vector<int>{5}).maximum == 0.9);
+    // Of five over-full cells three are stuck with 1.1 each.  The wave fills cell 10 and puts 0.2 into cell 11, as on the
+    // other side; what is stuck fills up to cell 12 and meets cell 13, which nobody named.
+    field.assign(20, 0.0);
+    for (std::size_t c = 5; c < 10; ++c) field[c] = 2;
+    field[13] = 1.5;
+    const auto before = field;
+    CHECK_THROWS_WITH_AS((void)smooth.smooth(field, std::vector<int>{5, 6, 7, 8, 9}),
+                         doctest::Contains("not named as touched"), bad_value);
+    CHECK(field == before);
+}
+
 TEST_CASE("vfs: refuses a threshold outside (0, 1]") {
     const lattice mesh{{{2, 1, 1}}};
     std::vector<double> field{0, 0};

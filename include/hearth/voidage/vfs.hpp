@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -75,7 +75,7 @@ class volume_fraction_smoother {
 
     /// Smooths a field of solid fractions [-]: anything with [i] over the owned cells, float or double.  The threshold
     /// is taken in the precision of the field.
-    /// Errors, with the field as it was, on all ranks: bad_value for fractions that are not finite or negative;
+    /// Errors, with the field as it was, on all ranks: bad_value for fractions that are NaN, negative or above 1e100;
     /// infeasible_volume where a connected component cannot hold its solid (variant completed); stale_graph.
     template <class Field>
     [[nodiscard]] vfs_report smooth(Field&& solid_fraction) {
@@ -93,7 +93,8 @@ class volume_fraction_smoother {
 
     /// The same where only these owned cells can have come above the threshold, those that a host changed.  Costs what
     /// they and the cells that they spread to cost, whatever the size of the mesh.
-    /// Errors: also bad_value for cells that are not owned.
+    /// Errors: also bad_value for cells that are not owned, and for a cell above the threshold that was not named, where
+    /// the completion meets one.
     template <class Field, class Touched>
     [[nodiscard]] vfs_report smooth(Field&& solid_fraction, const Touched& touched) {
         const double threshold = begin(solid_fraction);
@@ -179,7 +180,17 @@ class volume_fraction_smoother {
             if (settings_.variant == vfs_variant::paper) {
                 report.stranded_volume = stranded_volume(threshold);
             } else {
-                completion_.find_room(threshold, wave_.stuck_cells(), cells_, read);
+                if constexpr (std::is_same_v<Read, detail::smoothing_cells::all_copied>) {
+                    completion_.find_room(threshold, wave_.stuck_cells(), cells_, read);
+                } else {
+                    completion_.find_room(threshold, wave_.stuck_cells(), cells_, [&](index cell) {
+                        const double value = read(cell);
+                        if (value <= threshold) return value;
+                        complain("solid fraction of cell", graph().global_index(cell), value,
+                                 "at most the threshold where a cell is not named as touched");
+                        return threshold;
+                    });
+                }
                 agree();
                 completion_.fill(threshold, roundoff, cells_, log_);
                 report.rings = completion_.rings();

@@ -16,7 +16,7 @@ namespace hearth::detail {
 /// in proportion to the neighbours' volumes; the next sweep takes the cells that this made over-full.  A cell gives at
 /// most once, and one that gave, or gives in the same sweep, receives nothing: a wave that moves outwards and ends.
 ///
-/// Spijker, Pollhammer, Raupenstrauch, Chem. Eng. Technol. 46 (2023), doi:10.1002/ceat.202200603, section 2.2.1, Eqs. 6 and 7.
+/// Spijker & Raupenstrauch, Chem. Eng. Technol. (2023), doi:10.1002/ceat.202200617, section 2.2.1, Eqs. 6 and 7.
 /// Paper: Eq. 7 adds a volume to a fraction and divides by fractions; here: each receiving neighbour's fraction grows
 /// by VF_tr over the sum of their volumes, as the paper's text says.
 /// Paper: silent about an over-full cell that finds no neighbour to give to; here: it keeps its excess and is reported.
@@ -44,7 +44,7 @@ class smoothing_wave {
         smoothed_ = 0;
     }
 
-    /// Says, before run(), that a cell is over-full.
+    /// Says, before run(), that a cell is over-full; twice does no harm.
     void insert(index cell) { next_.push_back(cell); }
 
     template <class Read>
@@ -169,12 +169,11 @@ class smoothing_wave {
             const index n = receivers_[r];
             if (is_distributed && n >= mesh_.owned()) continue;
             smoothing_cells::content& receiver = cells.touch(n, read);
-            const bool had_room = receiver.value <= threshold;
             const two_sum grown(receiver.value, given.amount);
             const two_sum rounded(grown.sum, grown.error + static_cast<double>(receiver.rest + given.rest));
             receiver.value = rounded.sum;
             receiver.rest = static_cast<float>(rounded.error);
-            if (had_room && receiver.value > threshold) next_.push_back(n);
+            if (receiver.value > threshold) next_.push_back(n);
         }
         if (is_distributed && cell >= mesh_.owned()) return;
         cells.set_fraction(cell, threshold);
