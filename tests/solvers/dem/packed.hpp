@@ -103,7 +103,7 @@ inline double solid_fraction(const bed& b, const zone& where, double inner_radiu
 
 /// Mean number of contacts of the particles whose centres lie in a zone.
 inline double coordination(const bed& b, const zone& where) {
-    const auto counts = hearth::dem::contact_counts(b);
+    const auto counts = b.contact_counts();
     double sum = 0, number = 0;
     for (hearth::dem::index i = 0; i < b.size(); ++i) {
         const vector3 d = b.spheres()[i].centre - where.base;

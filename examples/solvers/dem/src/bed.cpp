@@ -40,6 +40,10 @@ int bed::add_wall(wall w) {
     const contact_law law = contact_law::with_wall(self_->settings.body, w.body, w.contact);
     check(!w.facets.empty(), "number of facets of wall", 0.0, "> 0");
     check(w.temperature > 0 && std::isfinite(w.temperature), "temperature of wall", w.temperature, "finite and > 0 [K]");
+    for (const auto& other : self_->walls) {
+        check(other.body.patch != w.patch || other.body.temperature == w.temperature, "temperature of wall", w.temperature,
+              "that of the other walls of its patch [K]", w.patch);
+    }
     std::int64_t id = -1;
     for (const auto& other : self_->walls) id -= static_cast<std::int64_t>(other.body.facets.size());
     detail::wall_list list{};
@@ -64,9 +68,16 @@ void bed::set_wall_open(int wall_number, bool open) {
     w.open = open;
     self_->listed = self_->loaded = false;
 }
-void bed::set_wall_temperature(int wall_number, double kelvin) {
-    check(kelvin > 0 && std::isfinite(kelvin), "temperature of wall", kelvin, "finite and > 0 [K]", wall_number);
-    self_->walls.at(static_cast<std::size_t>(wall_number)).body.temperature = kelvin;
+void bed::set_patch_temperature(int patch, double kelvin) {
+    check(kelvin > 0 && std::isfinite(kelvin), "temperature of patch", kelvin, "finite and > 0 [K]", patch);
+    patch_temperature(patch);  // there must be one
+    for (auto& w : self_->walls)
+        if (w.body.patch == patch) w.body.temperature = kelvin;
+}
+double bed::patch_temperature(int patch) const {
+    for (const auto& w : self_->walls)
+        if (w.body.patch == patch) return w.body.temperature;
+    throw bad_value("patch", bad_value::no_index, patch, "that of a wall");
 }
 const wall& bed::wall_at(int n) const { return self_->walls.at(static_cast<std::size_t>(n)).body; }
 int bed::wall_count() const { return static_cast<int>(self_->walls.size()); }

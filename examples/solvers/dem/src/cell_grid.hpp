@@ -17,9 +17,9 @@ namespace hearth::dem::detail {
 /// neighbouring cells: no particle can be lost, however far it flies.
 class cell_grid {
   public:
-    /// Cells at least `size` wide over `count` centres; about as many cells as particles at most.
+    /// Cells at least `size` wide over `count` centres; at most about as many cells as particles in a dense bed.
     cell_grid(const sphere* spheres, std::size_t count, double size) {
-        const std::size_t most = 2 * count + 64;
+        const std::size_t most = 4 * count + 64;
         for (int a = 0; a < 3; ++a) std::tie(low_[a], high_[a]) = extent(spheres, count, a, 0.0);
         if (cells_of(size) > static_cast<double>(most)) {
             // A few strays far away must not make the cells of all others huge.
@@ -30,6 +30,7 @@ class cell_grid {
         for (int a = 0; a < 3; ++a) n_[at(a)] = static_cast<index>((high_[a] - low_[a]) * inverse_size_) + 1;
     }
 
+    double inverse_size() const { return inverse_size_; }
     index cells() const { return n_[0] * n_[1] * n_[2]; }
     index count(int axis) const { return n_[at(axis)]; }
     index number(index x, index y, index z) const { return (z * n_[1] + y) * n_[0] + x; }

@@ -170,21 +170,11 @@ feed::report feed::insert(bed& b, bool regardless) {
     return {static_cast<int>(added.size()), full};
 }
 
-std::vector<int> contact_counts(const bed& b) {
-    std::vector<int> counts(static_cast<std::size_t>(b.size()), 0);
-    b.for_each_contact([&](index i, index j, double, double, const vector3&) {
-        ++counts[static_cast<std::size_t>(i)];
-        ++counts[static_cast<std::size_t>(j)];
-    });
-    for (const bed::touch& t : b.wall_touches()) ++counts[static_cast<std::size_t>(t.i)];
-    return counts;
-}
-
 double surface_level(const bed& b, const zone& where) {
     double largest = 0;
     for (index i = 0; i < b.size(); ++i) largest = std::fmax(largest, 2 * b.spheres()[i].radius);
     if (largest == 0) return where.base.z;
-    const std::vector<int> counts = contact_counts(b);
+    const std::vector<int> counts = b.contact_counts();
     const int n = std::max(1, static_cast<int>(where.radius / largest));  // columns across
     const double width = 2 * where.radius / n;
     std::vector<double> top(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), where.base.z);

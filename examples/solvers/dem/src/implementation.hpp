@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <hearth/dem/bed.hpp>
@@ -15,13 +16,12 @@ struct bed::implementation {
     bed_settings settings;
     contact_law law;
     bool rolling = false;
-    detail::store particles;
+    mutable detail::store particles;  ///< mutable for near_places alone
     detail::pair_list pairs;
     std::vector<detail::wall_list> walls;
 
     std::int64_t next_id = 0;
     std::int64_t steps = 0;
-    double time = 0;
     std::uint64_t revision = 0;
     std::int64_t rebuilds = 0;
 
@@ -32,6 +32,17 @@ struct bed::implementation {
     double largest_radius = 0, smallest_radius = 0;
     box3 extent{};               ///< of the centres then
     std::vector<sphere> built;   ///< where the particles were then
+
+    /// The near list and what it was made for; made when asked for, so it is no part of the state.
+    struct near_state {
+        near_list list;
+        double reach = 0;                  ///< largest distance of centres that it surely holds [m]
+        std::vector<vector3> centres;      ///< of the places when it was made
+        std::uint64_t revision = 0;        ///< of `current`
+        std::int64_t rebuilds = 0;
+    };
+    mutable near_state near;
+    void build_near(double reach) const;
 
     double reach() const { return settings.skin * 2 * largest_radius; }
     detail::history remember() const;
@@ -49,6 +60,9 @@ struct bed::implementation {
     template <kick Which>
     void move();
     void move_walls();
+    template <class Archive, class Implementation>
+    static void each_part(Archive& archive, Implementation& self);
+    void each_setting(const std::function<void(double)>& see) const;
     [[noreturn]] void refuse_pair(std::ptrdiff_t pair) const;
     [[noreturn]] void refuse_touch(const detail::wall_list& list, std::ptrdiff_t candidate) const;
 };

@@ -13,6 +13,15 @@ namespace {
 
 const vector3* at_if_any(const std::vector<vector3>& values, std::size_t i) { return values.empty() ? nullptr : &values[i]; }
 
+/// Completes what is left of a permutation of 0 ... n - 1.
+void append_missing(std::vector<index>& order, std::size_t n) {
+    if (order.size() == n) return;
+    std::vector<bool> there(n, false);
+    for (const index o : order) there[static_cast<std::size_t>(o)] = true;
+    for (std::size_t i = 0; i < n; ++i)
+        if (!there[i]) order.push_back(static_cast<index>(i));
+}
+
 }  // namespace
 
 detail::history bed::implementation::remember() const {
@@ -58,19 +67,19 @@ void bed::implementation::rebuild(const std::vector<index>& kept) {
     const detail::history past = remember();
     largest_radius = 0;
     smallest_radius = std::numeric_limits<double>::max();
-    std::vector<sphere> spheres(kept.size());
+    built.resize(kept.size());
     for (std::size_t k = 0; k < kept.size(); ++k) {
-        spheres[k] = particles.spheres[static_cast<std::size_t>(kept[k])];
-        largest_radius = std::fmax(largest_radius, spheres[k].radius);
-        smallest_radius = std::fmin(smallest_radius, spheres[k].radius);
+        built[k] = particles.spheres[static_cast<std::size_t>(kept[k])];
+        largest_radius = std::fmax(largest_radius, built[k].radius);
+        smallest_radius = std::fmin(smallest_radius, built[k].radius);
     }
     const double widest = 2 * largest_radius + reach();
-    detail::sorted_cells cells{detail::cell_grid(spheres.data(), spheres.size(), widest > 0 ? widest : 1.0), {}, {}};
+    detail::sorted_cells cells{detail::cell_grid(built.data(), built.size(), widest > 0 ? widest : 1.0), {}, {}};
     std::vector<index> order;
-    cells.grid.sort(spheres.data(), spheres.size(), order, cells.owned_start);
-    spheres = {};
+    cells.grid.sort(built.data(), built.size(), order, cells.owned_start);
     for (index& o : order) o = kept[static_cast<std::size_t>(o)];
-    particles.reorder(order);
+    append_missing(order, particles.owned);
+    particles.reorder(order, kept.size());
     built = particles.spheres;
     build_pairs(pairs, particles, cells, reach(), past, order, rolling);
     for (auto& w : walls) {

@@ -18,7 +18,11 @@ struct store {
     std::vector<lead> leads;
     std::vector<std::int64_t> ids;
     std::vector<double> temperatures;
+    std::vector<std::uint8_t> flights;  ///< 128 in flight, and how long the number of contacts has asked for the other
+    std::vector<index> near_places;     ///< of each particle in the near list, -1 where it is new
     std::vector<vector3> outer_forces;  ///< empty while nobody has set one
+
+    static constexpr std::uint8_t in_flight = 128;
 
     std::size_t total() const { return spheres.size(); }
 
@@ -29,34 +33,51 @@ struct store {
         leads.resize(total);
         ids.resize(total);
         temperatures.resize(total);
+        flights.resize(total, in_flight);
+        near_places.resize(total, -1);
         if (!outer_forces.empty()) outer_forces.resize(total);
     }
 
-    /// Owned particle k becomes the old particle order[k]; those left out are gone, and so are ghosts.
-    void reorder(const std::vector<index>& order) {
-        pick(spheres, order);
-        pick(motions, order);
-        pick(loads, order);
-        pick(leads, order);
-        pick(ids, order);
-        pick(temperatures, order);
-        if (!outer_forces.empty()) pick(outer_forces, order);
-        owned = order.size();
+    /// Owned particle k becomes the old particle order[k], for k < kept; the others in `order`, a permutation of all owned,
+    /// are gone, and so are ghosts.  In place: memory does not grow.
+    void reorder(const std::vector<index>& order, std::size_t kept) {
+        permute(spheres, order, kept);
+        permute(motions, order, kept);
+        permute(loads, order, kept);
+        permute(leads, order, kept);
+        permute(ids, order, kept);
+        permute(temperatures, order, kept);
+        permute(flights, order, kept);
+        permute(near_places, order, kept);
+        if (!outer_forces.empty()) permute(outer_forces, order, kept);
+        owned = kept;
     }
 
     std::size_t bytes() const {
         return spheres.capacity() * sizeof(sphere) + motions.capacity() * sizeof(motion) +
                loads.capacity() * sizeof(load) + leads.capacity() * sizeof(lead) +
                ids.capacity() * sizeof(std::int64_t) +
-               temperatures.capacity() * sizeof(double) + outer_forces.capacity() * sizeof(vector3);
+               temperatures.capacity() * sizeof(double) + flights.capacity() + near_places.capacity() * sizeof(index) + outer_forces.capacity() * sizeof(vector3);
     }
 
   private:
     template <class Value>
-    static void pick(std::vector<Value>& values, const std::vector<index>& order) {
-        std::vector<Value> picked(order.size());
-        for (std::size_t k = 0; k < order.size(); ++k) picked[k] = values[static_cast<std::size_t>(order[k])];
-        values.swap(picked);
+    static void permute(std::vector<Value>& values, const std::vector<index>& order, std::size_t kept) {
+        std::vector<bool> done(order.size(), false);
+        for (std::size_t first = 0; first < order.size(); ++first) {
+            if (done[first]) continue;
+            const Value carried = values[first];
+            std::size_t at = first;
+            for (;;) {
+                done[at] = true;
+                const auto from = static_cast<std::size_t>(order[at]);
+                if (from == first) break;
+                values[at] = values[from];
+                at = from;
+            }
+            values[at] = carried;
+        }
+        values.resize(kept);
     }
 };
 

@@ -21,6 +21,11 @@ struct motion_error : std::runtime_error {
     std::int64_t id;
 };
 
+/// A state that cannot be restored: damaged, cut off, or made with other settings.
+struct state_error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 struct bed_settings {
     double step = 2e-5;                  ///< [s]; see bed::advised_step()
     vector3 gravity{0, 0, -9.81};        ///< [m/s^2]
@@ -47,7 +52,9 @@ class bed {
     void set_motion(int wall_number, const wall_motion& motion);
     /// An open wall touches nobody.
     void set_wall_open(int wall_number, bool open);
-    void set_wall_temperature(int wall_number, double kelvin);
+    /// Temperature of all walls of a patch.
+    void set_patch_temperature(int patch, double kelvin);
+    double patch_temperature(int patch) const;
     const wall& wall_at(int wall_number) const;
     int wall_count() const;
     /// Force of the particles on a wall [N] in the last step.
@@ -90,6 +97,13 @@ class bed {
     /// Rebuilds the lists at the next step whatever has moved.
     void expire_lists();
 
+    /// All that the next step depends on, with a checksum: a run that is saved and restored equals one that went on, bit for
+    /// bit.  In the byte order of this machine.
+    std::vector<char> state() const;
+    /// Into a bed of the same settings and walls; particles that it has are replaced.  Throws state_error, with the bed as
+    /// it was, for a state that is damaged or was made otherwise.
+    void restore(const std::vector<char>& state);
+
     /// Bytes that the bed holds.
     std::size_t memory() const;
 
@@ -99,6 +113,9 @@ class bed {
     /// visit(i, wall number, elastic normal force [N], overlap [m], point [m])
     template <class Visit>
     void for_each_wall_contact(Visit&& visit) const;
+
+    /// Number of contacts of every particle, walls included.
+    std::vector<int> contact_counts() const;
 
     struct pair {
         index i, j;
@@ -114,6 +131,29 @@ class bed {
     std::vector<touch> wall_touches() const;
     const contact_law& law() const;
     const contact_law& wall_law(int wall_number) const;
+
+    /// visit(i, j, distance of centres [m]): every pair with a distance below factor * (R_i + R_j), once.  The list behind it
+    /// is made from the same cells as that of contacts, with a skin of its own, and only when it is asked for.
+    template <class Visit>
+    void for_each_near(double factor, Visit&& visit) const;
+    /// visit(i, wall number, distance of the centre to the wall [m]), distance below factor * 2 R_i.
+    template <class Visit>
+    void for_each_near_wall(double factor, Visit&& visit) const;
+
+    /// Neighbours of places; a place is the particle current[place], or -1 where that has left.
+    struct near_list {
+        std::vector<std::uint32_t> start;
+        std::vector<index> second, current;
+    };
+    const near_list& near_pairs(double factor) const;
+    std::int64_t near_rebuilds() const;
+    /// From the centre of a particle to a wall; no farther than `reach`, else infinite [m].
+    double distance_to_wall(index i, int wall_number, double reach) const;
+
+    /// Which particles are in flight, with hysteresis: one settles after ten updates in a row on two others or a wall,
+    /// and takes off after ten without any contact.  Fed particles are in flight.  Returns how many changed.
+    int update_flight();
+    bool in_flight(index i) const;
 
     /// Step that resolves the shortest contact of an impact at `speed` by `steps_per_contact` steps [s].
     double advised_step(double speed, double steps_per_contact = 20) const;
@@ -134,6 +174,33 @@ void bed::for_each_contact(Visit&& visit) const {
         const double distance = std::sqrt(squared), overlap = sum - distance;
         const double force = stiffness * std::sqrt(ri * rj / sum * overlap) * overlap;
         visit(i, j, force, overlap, all[i].centre - ((ri - overlap * rj / sum) / distance) * d);
+    }
+}
+
+template <class Visit>
+void bed::for_each_near(double factor, Visit&& visit) const {
+    const near_list& list = near_pairs(factor);
+    const sphere* const all = spheres();
+    for (std::size_t a = 0; a + 1 < list.start.size(); ++a) {
+        const index i = list.current[a];
+        if (i < 0) continue;
+        for (std::uint32_t p = list.start[a]; p < list.start[a + 1]; ++p) {
+            const index j = list.current[static_cast<std::size_t>(list.second[p])];
+            if (j < 0) continue;
+            const vector3 d = all[i].centre - all[j].centre;
+            const double squared = dot(d, d), limit = factor * (all[i].radius + all[j].radius);
+            if (squared < limit * limit) visit(i, j, std::sqrt(squared));
+        }
+    }
+}
+
+template <class Visit>
+void bed::for_each_near_wall(double factor, Visit&& visit) const {
+    for (int w = 0; w < wall_count(); ++w) {
+        for (index i = 0; i < size(); ++i) {
+            const double reach = factor * 2 * spheres()[i].radius, distance = distance_to_wall(i, w, reach);
+            if (distance < reach) visit(i, w, distance);
+        }
     }
 }
 

@@ -81,9 +81,6 @@ class feed {
     state state_;
 };
 
-/// Number of contacts of every particle, walls included.
-std::vector<int> contact_counts(const bed& b);
-
 /// Height of the surface in a zone [m]: the mean, over columns of two large diameters, of the top of the highest particle
 /// that rests on two others.  Columns without any count with the zone's base.
 double surface_level(const bed& b, const zone& where);

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include <cstring>
+#include <type_traits>
+
+#include "implementation.hpp"
+
+namespace hearth::dem {
+namespace {
+
+constexpr std::uint64_t magic = 0x3130'6d65'6468'7265u;  // what it is, and its version
+
+/// FNV-1a over eight bytes at a time; http://www.isthe.com/chongo/tech/comp/fnv.
+std::uint64_t checksum(const char* bytes, std::size_t count) {
+    std::uint64_t sum = 0xcbf29ce484222325u;
+    for (std::size_t at = 0; at < count; at += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes + at, std::min<std::size_t>(8, count - at));
+        sum = (sum ^ word) * 0x100000001b3u;
+        sum ^= sum >> 29;  // a multiplication moves no bit down
+    }
+    return sum;
+}
+
+class writer {
+  public:
+    template <class Value>
+    void operator()(const Value& value) {
+        static_assert(std::is_trivially_copyable_v<Value>);
+        const auto* bytes = reinterpret_cast<const char*>(&value);
+        out.insert(out.end(), bytes, bytes + sizeof(Value));
+    }
+    template <class Value>
+    void operator()(const std::vector<Value>& values) {
+        static_assert(std::is_trivially_copyable_v<Value>);
+        (*this)(static_cast<std::uint64_t>(values.size()));
+        const auto* bytes = reinterpret_cast<const char*>(values.data());
+        out.insert(out.end(), bytes, bytes + values.size() * sizeof(Value));
+    }
+
+    std::vector<char> out;
+};
+
+class reader {
+  public:
+    reader(const char* bytes, std::size_t count) : bytes_(bytes), left_(count) {}
+
+    template <class Value>
+    void operator()(Value& value) {
+        take(&value, sizeof(Value));
+    }
+    template <class Value>
+    void operator()(std::vector<Value>& values) {
+        std::uint64_t count = 0;
+        (*this)(count);
+        if (count > left_ / sizeof(Value)) throw state_error("hearth: the state of a bed ends too early");
+        values.resize(static_cast<std::size_t>(count));
+        if (count > 0) take(values.data(), values.size() * sizeof(Value));
+    }
+    bool at_end() const { return left_ == 0; }
+
+  private:
+    void take(void* to, std::size_t count) {
+        if (count > left_) throw state_error("hearth: the state of a bed ends too early");
+        std::memcpy(to, bytes_, count);
+        bytes_ += count;
+        left_ -= count;
+    }
+
+    const char* bytes_;
+    std::size_t left_;
+};
+
+}  // namespace
+
+/// Everything that the next step depends on, in one order for both ways.  The near list is made anew when it is asked for,
+/// and leads by the first kick.
+template <class Archive, class Implementation>
+void bed::implementation::each_part(Archive& archive, Implementation& self) {
+    auto& p = self.particles;
+    archive(p.owned);
+    archive(p.spheres);
+    archive(p.motions);
+    archive(p.loads);
+    archive(p.ids);
+    archive(p.temperatures);
+    archive(p.flights);
+    archive(p.outer_forces);
+    archive(self.pairs.pairs);
+    archive(self.pairs.springs);
+    archive(self.pairs.rolls);
+    for (auto& w : self.walls) {
+        archive(w.place.rows);
+        archive(w.place.shift);
+        archive(w.place.moved);
+        archive(w.body.motion);
+        archive(w.body.temperature);
+        archive(w.open);
+        archive(w.candidates);
+        archive(w.springs);
+        archive(w.rolls);
+        archive(w.reaction);
+    }
+    archive(self.next_id);
+    archive(self.steps);
+    archive(self.rebuilds);
+    archive(self.listed);
+    archive(self.loaded);
+    archive(self.travelled);
+    archive(self.wall_travelled);
+    archive(self.largest_radius);
+    archive(self.smallest_radius);
+    archive(self.extent);
+    archive(self.built);
+}
+
+/// What a state must have been made with.
+void bed::implementation::each_setting(const std::function<void(double)>& see) const {
+    const auto see_contact = [&](const contact_law& c) {
+        for (const double v : {c.normal_stiffness, c.tangential_stiffness, c.settings.damping, c.settings.friction,
+                               c.settings.rolling_friction, c.settings.rule == slip_rule::paper ? 1.0 : 0.0}) {
+            see(v);
+        }
+    };
+    for (const double v : {settings.step, settings.gravity.x, settings.gravity.y, settings.gravity.z, settings.skin,
+                           settings.deepest_overlap}) {
+        see(v);
+    }
+    see_contact(law);
+    for (const auto& w : walls) {
+        see_contact(w.law);
+        see(static_cast<double>(w.body.facets.size()));
+        for (const facet& f : w.body.facets) {
+            // A point that tells one shape from another, without a list of what each consists of.
+            for (const vector3& probe : {vector3{0.1, 0.2, 0.3}, vector3{-3, 5, -7}}) {
+                const vector3 foot = closest_point(f, probe);
+                see(foot.x);
+                see(foot.y);
+                see(foot.z);
+            }
+        }
+    }
+}
+
+std::vector<char> bed::state() const {
+    writer archive;
+    archive(magic);
+    std::vector<double> made_with;
+    self_->each_setting([&](double v) { made_with.push_back(v); });
+    archive(made_with);
+    implementation::each_part(archive, static_cast<const implementation&>(*self_));
+    const std::uint64_t sum = checksum(archive.out.data(), archive.out.size());
+    archive(sum);
+    return std::move(archive.out);
+}
+
+void bed::restore(const std::vector<char>& state) {
+    std::uint64_t sum = 0, kind = 0;
+    if (state.size() < 2 * sizeof sum) throw state_error("hearth: this is no state of a bed: " + std::to_string(state.size()) + " bytes");
+    const std::size_t length = state.size() - sizeof sum;
+    std::memcpy(&kind, state.data(), sizeof kind);
+    std::memcpy(&sum, state.data() + length, sizeof sum);
+    if (kind != magic) throw state_error("hearth: this is no state of a bed of this version");
+    if (sum != checksum(state.data(), length)) throw state_error("hearth: the state of a bed is damaged: its checksum differs");
+    reader archive(state.data(), length);
+    archive(kind);
+    std::vector<double> made_with, have;
+    archive(made_with);
+    self_->each_setting([&](double v) { have.push_back(v); });
+    if (made_with != have) {
+        std::size_t at = 0;
+        while (at < std::min(made_with.size(), have.size()) && made_with[at] == have[at]) ++at;
+        throw state_error("hearth: the state was made with other settings or walls; number " + std::to_string(at) +
+                          " of them differs first");
+    }
+    implementation read = *self_;
+    implementation::each_part(archive, read);
+    if (!archive.at_end()) throw state_error("hearth: the state of a bed is longer than it should be");
+    read.particles.leads.assign(read.particles.total(), lead{});
+    read.particles.near_places.assign(read.particles.total(), -1);
+    read.near = {};
+    read.revision = self_->revision + 1;
+    *self_ = std::move(read);
+}
+
+}  // namespace hearth::dem
