@@ -14,8 +14,8 @@ std::string named(const char* noun, int i) { return std::string(noun) + " " + st
 }  // namespace
 
 mesh::mesh(polyhedra shape_, int ghost_cells) : patches(shape_.patches), shape(std::move(shape_)) {
-    owner = shape.owner;
-    neighbour = shape.neighbour;
+    owner = std::move(shape.owner);
+    neighbour = std::move(shape.neighbour);
     check_topology();
     int last = -1;
     for (const int c : owner) last = std::max(last, c);

@@ -68,7 +68,7 @@ class mesh {
     array<double> owner_weight;  ///< per internal face: weight of the owner in a linear interpolation [-]
     array<double> conductance;   ///< per face: |S|^2 / (S.d), d from centre to centre (or to the face) [m]
     array<patch> patches;
-    polyhedra shape;                   ///< points and faces, for output and location
+    polyhedra shape;                   ///< points and faces, for output and location; owner and neighbour moved out of it
     array<std::int64_t> global;  ///< per cell: number in the undivided mesh; empty where that is the cell itself
     array<int> ghost_rank;       ///< per ghost: the rank that owns it
     double largest_angle = 0;          ///< greatest angle between face normal and the line of centres [degree]
