@@ -96,6 +96,7 @@ class flow {
     void predict(flow_state&, const flow_medium&, const flow_history&, const flow_settings&);
     void assemble_pressure(const flow_state&, const flow_medium&, const flow_boundary&, const flow_history&);
     void correct(flow_state&, const flow_medium&, const flow_history&);
+    void watch_deferral(double imbalance);
 
     const mesh* mesh_;
     const pattern* pattern_;
@@ -112,6 +113,9 @@ class flow {
     array<double> total_;               // diagonal without relaxation and inertia [kg/s]
     array<double> relax_, inertia_;     // further diagonal parts; then all per volume [kg/(m^3 s)]
     array<double> right_, conductance_, explicit_flux_, previous_pressure_;
+    double deferral_ = 0.5;   // part of a new pressure slope that is taken over, where the mesh leans [-]
+    double imbalance_ = 0;    // of the last iteration [-]
+    int growing_ = 0;         // iterations in a row that made it larger
 };
 
 }  // namespace hearth::gas
