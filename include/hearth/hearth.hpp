@@ -34,6 +34,7 @@
 #include <hearth/core/thermal_link.hpp>
 #include <hearth/core/unique_ids.hpp>
 
+#include <hearth/adapt/raw.hpp>
 #include <hearth/closure/air.hpp>
 #include <hearth/closure/beetstra.hpp>
 #include <hearth/closure/checked.hpp>

@@ -34,6 +34,7 @@ struct strided_cloud {
     strided<const Scalar> radius;
     strided<const Scalar> mass;
     strided<const Scalar> specific_heat;
+    strided<const Scalar> conductivity;
     strided<Scalar> temperature;
     strided<Scalar> heat_rate;
     strided<Scalar> force{nullptr, 3};
@@ -55,6 +56,7 @@ struct particle_traits<strided_cloud<Scalar>> {
     static scalar get(quantity::radius, const cloud_type& cloud, index i) { return cloud.radius[i]; }
     static scalar get(quantity::mass, const cloud_type& cloud, index i) { return cloud.mass[i]; }
     static scalar get(quantity::specific_heat, const cloud_type& cloud, index i) { return cloud.specific_heat[i]; }
+    static scalar get(quantity::conductivity, const cloud_type& cloud, index i) { return cloud.conductivity[i]; }
     static scalar get(quantity::temperature, const cloud_type& cloud, index i) { return cloud.temperature[i]; }
 
     static void set(quantity::temperature, cloud_type& cloud, index i, scalar kelvin) { cloud.temperature[i] = kelvin; }
