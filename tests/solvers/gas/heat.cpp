@@ -124,6 +124,8 @@ TEST_CASE("heat: a tube with transmittance cools as its number of transfer units
     const mesh m(box(graded(side, 1), graded(side, 1), graded(length, 200)));
     solver gas(m, std::make_shared<simple_gas>(), warm());
     for (const char* name : {"x_min", "x_max", "y_min", "y_max"}) gas.set(name, wall(wall_heat{u, ambient}));
+    gas.set("x_min", wall(wall_heat{9, 500}));  // set again: the last one counts
+    gas.set("x_min", wall(wall_heat{u, ambient}));
     gas.set("z_min", mass_flow_inlet(flow, {1200}));
     gas.set("z_max", pressure_outlet(1e5));
     gas.initialise(300);

@@ -46,7 +46,7 @@ solver::solver(const mesh& m, std::shared_ptr<const gas_model> model, solver_set
     boundary_.type.assign(b, flow_boundary::kind::wall);
     for (auto* field : {&boundary_.mass_flux, &boundary_.pressure, &boundary_.wall_viscosity,
                         &scalar_boundary_.enthalpy, &scalar_boundary_.fixed, &scalar_boundary_.kinetic,
-                        &scalar_boundary_.dissipation, &boundary_diffusion_})
+                        &scalar_boundary_.dissipation, &boundary_diffusion_, &face_conductance_, &face_source_})
         field->assign(b, 0.0);
     scalar_boundary_.temperature.assign(b, 300.0);
     boundary_.velocity.assign(b, {});
@@ -73,19 +73,19 @@ void solver::set(const std::string& name, const patch_condition& c) {
     }
     const double area = ranks_->sum(m.area_of(p)), c34 = std::pow(settings.turbulence_constants.c_mu, 0.75);
     for (int f = p.first; f < p.first + p.count; ++f) {
-        const int b = f - m.internal_faces(), cell = m.owner[f];
+        const int b = f - m.internal_faces();
         const vector3& x = m.face_centre[f];
         const double size = norm(m.area[f]);
         boundary_.velocity[b] = c.velocity;
-        boundary_.mass_flux[b] = scalar_boundary_.fixed[b] = 0;
+        boundary_.mass_flux[b] = scalar_boundary_.fixed[b] = face_conductance_[b] = face_source_[b] = 0;
         if (c.type == kind::slip) {
             boundary_.type[b] = flow_boundary::kind::slip;
         } else if (c.type == kind::wall) {
             boundary_.type[b] = flow_boundary::kind::wall;
             if (c.heat) {
                 const wall_heat heat = c.heat(x);
-                wall_conductance_[cell] += heat.transmittance * size;
-                wall_source_[cell] += heat.transmittance * size * heat.ambient;
+                face_conductance_[b] = heat.transmittance * size;
+                face_source_[b] = heat.transmittance * size * heat.ambient;
             }
         } else {
             const double t = c.temperature ? c.temperature(x) : c.gas.temperature;
@@ -114,6 +114,12 @@ void solver::set(const std::string& name, const patch_condition& c) {
             scalar_boundary_.enthalpy[b] = model_->enthalpy(c.temperature(x), y.data());
             scalar_boundary_.fixed[b] = 1;
         }
+    }
+    std::fill(wall_conductance_.begin(), wall_conductance_.end(), 0.0);
+    std::fill(wall_source_.begin(), wall_source_.end(), 0.0);
+    for (int b = 0; b < m.boundary_faces(); ++b) {
+        wall_conductance_[m.owner[b + m.internal_faces()]] += face_conductance_[b];
+        wall_source_[m.owner[b + m.internal_faces()]] += face_source_[b];
     }
 }
 

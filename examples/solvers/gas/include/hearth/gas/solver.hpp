@@ -142,6 +142,7 @@ class solver {
     flow_boundary boundary_;
     scalar_boundary scalar_boundary_;
     array<array<double>> boundary_fraction_;   // per species, per boundary face
+    array<double> face_conductance_, face_source_;         // of walls, per boundary face [W/K], [W]
     array<double> wall_conductance_, wall_source_;   // per cell [W/K], [W]
     array<double> diffusivity_, boundary_diffusion_, slip_speed_, old_void_, field_;
     array<double> stored_density_;  // that the balance of mass of the last iteration ended with [kg/m^3]
