@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Solid fraction of a random bed of spheres, ours and what others do, on three kinds of mesh.
 //
-// error: rms difference [-] from the exact indicator of the spheres under a Gaussian of half a diameter, reflected at the
-// walls, over about 1000 cells of the mesh, weighted with their volumes.  d_dx: diameter over the cube root of the mean
-// volume of the cells.  Methods that resolve the spheres aim at another field and are far from this one at d_dx > 1: that
-// is the point, see filtered_fraction.hpp.
+// error: rms difference [-] from the exact indicator of the spheres under a Gaussian of half a diameter, reflected at
+// the walls, over about 1000 cells of the mesh, weighted with their volumes.  d_dx: diameter over the cube root of the
+// mean volume of the cells.  Methods that resolve the spheres aim at another field and are far from this one at d_dx >
+// 1: that is the point, see filtered_fraction.hpp.
+#include "rivals/voidage.hpp"
+
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -19,7 +21,6 @@
 #include <hearth/voidage/kernel_smoother.hpp>
 #include <hearth/voidage/vfs.hpp>
 
-#include "rivals/voidage.hpp"
 #include "support/beds.hpp"
 #include "support/box_mesh.hpp"
 #include "support/counters.hpp"
@@ -45,7 +46,8 @@ struct graded_mesh : box_mesh {
 graded_mesh make_mesh(const graded_mesh*, double d_dx) {
     const int n = static_cast<int>(side * d_dx);
     const double ratio = std::pow(4.0, 1.0 / (n - 1));
-    return {{graded_planes(side, n, ratio), graded_planes(side, n, ratio), graded_planes(side, n, ratio)}, {false, false, false}};
+    return {{graded_planes(side, n, ratio), graded_planes(side, n, ratio), graded_planes(side, n, ratio)},
+            {false, false, false}};
 }
 
 struct split_mesh : box_mesh {
@@ -55,7 +57,9 @@ struct split_mesh : box_mesh {
 split_mesh make_mesh(const split_mesh*, double d_dx) {
     const int n = std::max(2, static_cast<int>(std::lround(side * d_dx / std::cbrt(1 + 7.0 / 3))));
     const auto planes = graded_planes(side, n, 1);
-    return {{planes, planes, planes}, {false, false, false}, [](int i, int j, int k) { return (i / 2 + j / 2 + k / 2) % 3 == 0; }};
+    return {{planes, planes, planes}, {false, false, false}, [](int i, int j, int k) {
+                return (i / 2 + j / 2 + k / 2) % 3 == 0;
+            }};
 }
 
 }  // namespace
@@ -144,9 +148,9 @@ void register_mesh(const std::string& family) {
     for (const double d_dx : {0.5, 1.0, 2.0, 4.0, 8.0}) {
         const std::string at = "/d_dx:" + std::to_string(d_dx).substr(0, d_dx < 1 ? 3 : 1);
         const auto add = [&](const std::string& method, const auto& run) {
-            benchmark::RegisterBenchmark((family + "/" + method + at).c_str(),
-                                         [=](benchmark::State& state) { compare<Mesh>(state, d_dx, run); })
-                ->Unit(benchmark::kMillisecond);
+            benchmark::RegisterBenchmark((family + "/" + method + at).c_str(), [=](benchmark::State& state) {
+                compare<Mesh>(state, d_dx, run);
+            })->Unit(benchmark::kMillisecond);
         };
         for (const double threshold : {0.9, 0.74}) {
             const std::string limit = threshold > 0.8 ? "/threshold 0.9" : "/threshold 0.74";
@@ -156,12 +160,10 @@ void register_mesh(const std::string& family) {
             add("divided, clamped" + limit, [=](const auto& on) {
                 return rivals::clamped(on.locator, bed(), hearth::deposit::divided{}, threshold);
             });
-            add("VFS of the paper" + limit, [=](const auto& on) {
-                return smoothed(on, threshold, hearth::vfs_variant::paper);
-            });
-            add("VFS completed" + limit, [=](const auto& on) {
-                return smoothed(on, threshold, hearth::vfs_variant::completed);
-            });
+            add("VFS of the paper" + limit,
+                [=](const auto& on) { return smoothed(on, threshold, hearth::vfs_variant::paper); });
+            add("VFS completed" + limit,
+                [=](const auto& on) { return smoothed(on, threshold, hearth::vfs_variant::completed); });
             // Set up with the mesh, as a host would that keeps it.
             auto transfer = std::make_shared<std::unique_ptr<hearth::transfer_operator<Mesh>>>();
             add("filtered" + limit, [=](const auto& on) {
@@ -254,16 +256,19 @@ const bool registered = [] {
     register_mesh<graded_mesh>("solid fraction on a graded mesh");
     register_mesh<split_mesh>("solid fraction on a mesh with hanging faces");
     for (const double d_dx : {1.0, 2.0, 4.0}) {
-        benchmark::RegisterBenchmark(("transfer both ways/stored footprints/d_dx:" + std::to_string(static_cast<int>(d_dx))).c_str(),
-                                     transfer_both_ways, d_dx)
+        benchmark::RegisterBenchmark(
+            ("transfer both ways/stored footprints/d_dx:" + std::to_string(static_cast<int>(d_dx))).c_str(),
+            transfer_both_ways, d_dx)
             ->Unit(benchmark::kMillisecond);
     }
     // What must move each term: three vectors read and one written; offsets, volumes, six neighbours and conductances.
     for (const double width : {0.9, 2.0}) {  // d/dx 1.8 and 4
         const std::string at = width < 1 ? "/d_dx:1.8" : "/d_dx:4";
-        benchmark::RegisterBenchmark(("smoother on 6 million cells/lattice" + at).c_str(), smoother<hearth::lattice>, width, 32.0)
+        benchmark::RegisterBenchmark(("smoother on 6 million cells/lattice" + at).c_str(), smoother<hearth::lattice>,
+                                     width, 32.0)
             ->Unit(benchmark::kMillisecond);
-        benchmark::RegisterBenchmark(("smoother on 6 million cells/lists" + at).c_str(), smoother<faces_only>, width, 92.0)
+        benchmark::RegisterBenchmark(("smoother on 6 million cells/lists" + at).c_str(), smoother<faces_only>, width,
+                                     92.0)
             ->Unit(benchmark::kMillisecond);
     }
     return true;

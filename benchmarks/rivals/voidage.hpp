@@ -39,13 +39,15 @@ std::vector<double> gauss(const Locator& locator, const Cloud& cloud, double sig
         row.clear();
         double sum = 0;
         // 0.87 extents: a cell of the particle's own size or larger is found at least where it holds the centre.
-        locator.for_each_near(v.position, 3 * sigma, 0.87, [&](std::int32_t c, const hearth::point& away, const hearth::point&) {
-            const double r2 = away[0] * away[0] + away[1] * away[1] + away[2] * away[2];
-            const double weight = std::exp(-0.5 * r2 / (sigma * sigma)) * graph.volume(c);
-            row.emplace_back(static_cast<std::size_t>(c), weight);
-            sum += weight;
-        });
-        for (const auto& [c, weight] : row) field[c] += v.volume() * weight / sum / graph.volume(static_cast<std::int32_t>(c));
+        locator.for_each_near(v.position, 3 * sigma, 0.87,
+                              [&](std::int32_t c, const hearth::point& away, const hearth::point&) {
+                                  const double r2 = away[0] * away[0] + away[1] * away[1] + away[2] * away[2];
+                                  const double weight = std::exp(-0.5 * r2 / (sigma * sigma)) * graph.volume(c);
+                                  row.emplace_back(static_cast<std::size_t>(c), weight);
+                                  sum += weight;
+                              });
+        for (const auto& [c, weight] : row)
+            field[c] += v.volume() * weight / sum / graph.volume(static_cast<std::int32_t>(c));
     }
     return field;
 }
@@ -56,14 +58,16 @@ std::vector<double> exact_overlap(const Locator& locator, const Cloud& cloud) {
     const auto& graph = locator.graph();
     std::vector<double> field(static_cast<std::size_t>(graph.cell_count()), 0.0);
     for (const hearth::visitor& v : hearth::visitors<>(locator, cloud)) {
-        locator.for_each_near(v.position, v.radius, 0.5, [&](std::int32_t c, const hearth::point& away, const hearth::point& extent) {
-            hearth::point low = away, high = away;
-            for (std::size_t a = 0; a < 3; ++a) {
-                low[a] -= 0.5 * extent[a];
-                high[a] += 0.5 * extent[a];
-            }
-            field[static_cast<std::size_t>(c)] += hearth::test::sphere_box_overlap(v.radius, low, high) / graph.volume(c);
-        });
+        locator.for_each_near(v.position, v.radius, 0.5,
+                              [&](std::int32_t c, const hearth::point& away, const hearth::point& extent) {
+                                  hearth::point low = away, high = away;
+                                  for (std::size_t a = 0; a < 3; ++a) {
+                                      low[a] -= 0.5 * extent[a];
+                                      high[a] += 0.5 * extent[a];
+                                  }
+                                  field[static_cast<std::size_t>(c)] +=
+                                      hearth::test::sphere_box_overlap(v.radius, low, high) / graph.volume(c);
+                              });
     }
     return field;
 }
@@ -83,7 +87,8 @@ std::vector<double> implicit_diffusion(const Locator& locator, const Cloud& clou
             const auto c = static_cast<std::int32_t>(i);
             double sum = 0;
             for (std::uint32_t k = graph.row_begin(c); k < graph.row_end(c); ++k) {
-                sum += static_cast<double>(graph.conductances()[k]) * (in[i] - in[static_cast<std::size_t>(graph.neighbours()[k])]);
+                sum += static_cast<double>(graph.conductances()[k]) *
+                       (in[i] - in[static_cast<std::size_t>(graph.neighbours()[k])]);
             }
             out[i] = graph.volume(c) * in[i] + step * sum;
         }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+#include <doctest/doctest.h>
 
 #include <hearth/mpi/communicator.hpp>
 #include <hearth/voidage/transfer_operator.hpp>
@@ -69,7 +69,8 @@ TEST_CASE("transfer operator: solid fraction, scattered sources and gathered gas
             CHECK(field[c] == fraction[g]);
             CHECK(here[c] == received[g]);
         }
-        for (std::size_t i = 0; i < seen_here.size(); ++i) CHECK(seen_here[i] == seen[static_cast<std::size_t>(cloud.ids[i])]);
+        for (std::size_t i = 0; i < seen_here.size(); ++i)
+            CHECK(seen_here[i] == seen[static_cast<std::size_t>(cloud.ids[i])]);
     }
 }
 
@@ -94,11 +95,13 @@ TEST_CASE("transfer operator: a particle outside the mesh is refused on every ra
     for (const double fraction : field) CHECK(fraction == 0.25);
 }
 
-TEST_CASE("transfer operator: a rank holds and visits no more than its cells, its halo and the particles that touch them") {
+TEST_CASE(
+    "transfer operator: a rank holds and visits no more than its cells, its halo and the particles that touch them") {
     // Slabs: the particles that reach a slab are those within a diameter and two cells of it.
     const hearth::mpi::communicator communicator;
     const int ranks = communicator.size();
-    const box_mesh mesh({graded_planes(8.0 * ranks, 16 * ranks, 1), graded_planes(4, 8, 1), graded_planes(4, 8, 1)}, {false, false, false});
+    const box_mesh mesh({graded_planes(8.0 * ranks, 16 * ranks, 1), graded_planes(4, 8, 1), graded_planes(4, 8, 1)},
+                        {false, false, false});
     const packing bed = make_packing({0.4, {8.0 * ranks, 4, 4}, 0, {false, false, false}, 5});
     std::vector<int> owners;
     for (int c = 0; c < mesh.size(); ++c) owners.push_back((c % (16 * ranks)) / 16);

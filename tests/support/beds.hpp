@@ -54,9 +54,9 @@ inline double mean_diameter(const packing& bed) {
     return weighted / weight;
 }
 
-/// The exact indicator of a bed's spheres under a filter, averaged over boxes: sums of closed forms over the spheres and
-/// their images (periodic ones, and mirror images in walls: the filter is reflected there), integrated over the box with
-/// Gauss points.  Sphere(r, R): the filtered indicator of one sphere; zero beyond `range` from its surface.
+/// The exact indicator of a bed's spheres under a filter, averaged over boxes: sums of closed forms over the spheres
+/// and their images (periodic ones, and mirror images in walls: the filter is reflected there), integrated over the box
+/// with Gauss points.  Sphere(r, R): the filtered indicator of one sphere; zero beyond `range` from its surface.
 template <class Sphere>
 class filtered_truth {
   public:
@@ -86,7 +86,8 @@ class filtered_truth {
                     for (const double z : along[2]) {
                         const point image{x, y, z};
                         bool near = true;
-                        for (std::size_t a = 0; a < 3; ++a) near = near && image[a] > -reach_ && image[a] < bed.size[a] + reach_;
+                        for (std::size_t a = 0; a < 3; ++a)
+                            near = near && image[a] > -reach_ && image[a] < bed.size[a] + reach_;
                         if (near) images_[bin(bin(x), bin(y), bin(z))].push_back({image, bed.radii[i]});
                     }
                 }
@@ -155,8 +156,8 @@ inline auto ball_truth(const packing& bed) {
     return filtered_truth<decltype(sphere)>(bed, radius, sphere);
 }
 
-/// Root mean square difference of a field on a lattice from a truth, over every `stride`-th cell whose centre is at least
-/// `margin` [m] from the walls.
+/// Root mean square difference of a field on a lattice from a truth, over every `stride`-th cell whose centre is at
+/// least `margin` [m] from the walls.
 template <class Truth>
 double rms_error(const lattice& mesh, const packing& bed, const std::vector<double>& field, const Truth& truth,
                  double margin = 0, int stride = 1) {

@@ -232,8 +232,12 @@ struct hearth::mesh_traits<hearth::test::box_share> {
     static index cell_count(const mesh_type& m) { return static_cast<int>(m.cells.size()); }
     static scalar volume(const mesh_type& m, index c) { return m.whole().volume(m.global(c)); }
     static std::int64_t global_index(const mesh_type& m, index c) { return m.global(c); }
-    static point centre(const mesh_type& m, index c) { return m.whole().centres[static_cast<std::size_t>(m.global(c))]; }
-    static point extent(const mesh_type& m, index c) { return m.whole().extents[static_cast<std::size_t>(m.global(c))]; }
+    static point centre(const mesh_type& m, index c) {
+        return m.whole().centres[static_cast<std::size_t>(m.global(c))];
+    }
+    static point extent(const mesh_type& m, index c) {
+        return m.whole().extents[static_cast<std::size_t>(m.global(c))];
+    }
     static point period(const mesh_type& m) { return m.whole().period(); }
     static index find_cell(const mesh_type& m, const point& x) { return m.local(m.whole().find(x)); }
     template <class Visit>

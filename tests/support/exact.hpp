@@ -98,8 +98,8 @@ inline double sphere_box_overlap(double R, const point& low, const point& high) 
     return volume;
 }
 
-/// The indicator of a sphere of radius R, filtered with a Gaussian of standard deviation sigma, at the distance r from its
-/// centre.  Closed form of the integral over the sphere.
+/// The indicator of a sphere of radius R, filtered with a Gaussian of standard deviation sigma, at the distance r from
+/// its centre.  Closed form of the integral over the sphere.
 inline double gauss_filtered_sphere(double r, double R, double sigma) {
     const double pi = 3.14159265358979323846, s = sigma * std::sqrt(2.0);
     if (r < 1e-6 * sigma) {  // the limit r -> 0; the next term is of relative order (r / sigma)^2
@@ -110,8 +110,8 @@ inline double gauss_filtered_sphere(double r, double R, double sigma) {
            sigma / (r * std::sqrt(2 * pi)) * (std::exp(-near * near) - std::exp(-far * far));
 }
 
-/// The indicator of a sphere of radius R, averaged over a ball of radius a, at the distance r: volume of their lens over
-/// that of the ball.
+/// The indicator of a sphere of radius R, averaged over a ball of radius a, at the distance r: volume of their lens
+/// over that of the ball.
 inline double ball_filtered_sphere(double r, double R, double a) {
     const double pi = 3.14159265358979323846, ball = 4.0 / 3.0 * pi * a * a * a;
     if (r >= R + a) return 0;

@@ -32,9 +32,9 @@ struct packing {
 };
 
 struct packing_settings {
-    double solid_fraction;                              ///< of the whole box [-]
-    point size{6, 6, 6};                                ///< in mean diameters, which are 1 [m]
-    double spread = 0;                                  ///< radii are uniform in (1 -+ spread) / 2 [m]
+    double solid_fraction;  ///< of the whole box [-]
+    point size{6, 6, 6};    ///< in mean diameters, which are 1 [m]
+    double spread = 0;      ///< radii are uniform in (1 -+ spread) / 2 [m]
     std::array<bool, 3> periodic{false, false, false};
     std::uint64_t seed = 1;
 };
@@ -111,15 +111,16 @@ inline double largest_overlap(const packing& bed) {
         });
         for (std::size_t a = 0; a < 3; ++a) {
             if (bed.periodic[a]) continue;
-            largest = std::max(largest, bed.radii[i] - std::min(bed.positions[i][a], bed.size[a] - bed.positions[i][a]));
+            largest =
+                std::max(largest, bed.radii[i] - std::min(bed.positions[i][a], bed.size[a] - bed.positions[i][a]));
         }
     }
     return largest;
 }
 
-/// A random packing: spheres thrown at random, then pushed apart pair by pair until overlaps are below a thousandth of the
-/// diameter or 3000 rounds are over.  Loose up to a solid fraction of about 0.45, dense to about 0.62 (periodic) or 0.58
-/// (walls, which order the spheres beside them and leave gaps).  The same bits for the same settings.
+/// A random packing: spheres thrown at random, then pushed apart pair by pair until overlaps are below a thousandth of
+/// the diameter or 3000 rounds are over.  Loose up to a solid fraction of about 0.45, dense to about 0.62 (periodic) or
+/// 0.58 (walls, which order the spheres beside them and leave gaps).  The same bits for the same settings.
 inline packing make_packing(const packing_settings& settings) {
     hearth_test::seeded random(settings.seed);
     packing bed;
@@ -178,7 +179,8 @@ struct packing_share {
         hearth_test::seeded random(seed);
         for (std::size_t i = 0; i < whole_.radii.size(); ++i) {
             // The owner of a particle need not own the cells that it is in.
-            if (static_cast<int>((i * 7919 + 13) % static_cast<std::size_t>(ranks)) == rank) ids.push_back(static_cast<std::int64_t>(i));
+            if (static_cast<int>((i * 7919 + 13) % static_cast<std::size_t>(ranks)) == rank)
+                ids.push_back(static_cast<std::int64_t>(i));
         }
         for (std::size_t k = ids.size(); k > 1; --k) std::swap(ids[k - 1], ids[random.index(k)]);
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
 #include <cmath>
+
+#include <doctest/doctest.h>
 
 #include <hearth/voidage/chebyshev.hpp>
 
@@ -23,8 +23,8 @@ TEST_CASE("heat kernel series: is exp(-z x) to its tolerance") {
             CAPTURE(tolerance);
             const hearth::heat_kernel_series series(z, tolerance);
             for (double t = 0; t <= 3.15; t += 0.01) {
-                // Cut at `tolerance`, scaled by as much, and with z moved until the slope is kept: the last moves z by a
-                // part of the slope that was cut, K^2 tolerance / z or some 2 log(1/tolerance) tolerance.
+                // Cut at `tolerance`, scaled by as much, and with z moved until the slope is kept: the last moves z by
+                // a part of the slope that was cut, K^2 tolerance / z or some 2 log(1/tolerance) tolerance.
                 const double bound = tolerance * (2 + 2 * std::log(1 / tolerance)) + 1e-13;
                 CHECK(std::abs(value(series, t) - std::exp(-z * (1 - std::cos(t)))) <= bound);
             }
@@ -57,7 +57,8 @@ TEST_CASE("heat kernel series: has about sqrt(2 z log(1/tolerance)) terms") {
             const hearth::heat_kernel_series series(z, tolerance);
             const double expected = std::sqrt(2 * z * std::log(1 / tolerance));
             CHECK(static_cast<double>(series.terms()) < 1.05 * expected + 1);
-            CHECK(static_cast<double>(series.terms()) > 0.75 * expected - 1);  // the tail is a sum of the last few terms
+            CHECK(static_cast<double>(series.terms()) >
+                  0.75 * expected - 1);  // the tail is a sum of the last few terms
         }
     }
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <string>
 #include <vector>
+
+#include <doctest/doctest.h>
 
 #include <hearth/core/lattice.hpp>
 #include <hearth/voidage/deposit.hpp>
@@ -55,9 +55,8 @@ box_mesh random_mesh(seeded& random) {
         periodic[a] = random.index(2) == 0;
     }
     const auto salt = random.index(5);
-    return box_mesh(std::move(planes), periodic, [&](int i, int j, int k) {
-        return (static_cast<std::size_t>(i + 3 * j + 7 * k) + salt) % 5 == 0;
-    });
+    return box_mesh(std::move(planes), periodic,
+                    [&](int i, int j, int k) { return (static_cast<std::size_t>(i + 3 * j + 7 * k) + salt) % 5 == 0; });
 }
 
 packing one_sphere(point x, double radius) {
@@ -151,8 +150,8 @@ TEST_CASE("deposit: the ramp is defined and continuous at every ratio of particl
         for (std::size_t c = 0; c < before.size(); ++c) {
             change += std::abs(after[c] - before[c]) * mesh.volume(static_cast<int>(c));
         }
-        // The degree of a cell changes by 3e-6 at most, the sum of all by as much for each cell, and the fullest cell has
-        // 1/2 at least.  A particle of up to a cell's size shares itself between 8 cells mostly, 27 at most: 1e-4.
+        // The degree of a cell changes by 3e-6 at most, the sum of all by as much for each cell, and the fullest cell
+        // has 1/2 at least.  A particle of up to a cell's size shares itself between 8 cells mostly, 27 at most: 1e-4.
         CHECK(change <= 1e-4 * bed.volume());
     }
 }
@@ -185,7 +184,8 @@ TEST_CASE("deposit: the ramp tends to the exact overlap of sphere and cell as ce
         const hearth::lattice mesh = unit_lattice(cells);
         double difference = 0, volume = 0;
         for (int i = 0; i < 10; ++i) {
-            const packing bed = one_sphere({random.uniform(0.4, 0.6), random.uniform(0.4, 0.6), random.uniform(0.4, 0.6)}, 0.25);
+            const packing bed =
+                one_sphere({random.uniform(0.4, 0.6), random.uniform(0.4, 0.6), random.uniform(0.4, 0.6)}, 0.25);
             const auto field = deposited(mesh, bed);
             for (int c = 0; c < static_cast<int>(field.size()); ++c) {
                 point low = hearth::mesh_traits<hearth::lattice>::centre(mesh, c), high = low;
@@ -199,8 +199,8 @@ TEST_CASE("deposit: the ramp tends to the exact overlap of sphere and cell as ce
             volume += bed.volume();
         }
         // Only cells that the surface cuts differ, a layer of 1.5 h (mean width of a cube) around it or 4.5 h/R of the
-        // volume.  A ramp of 1.25 h instead of the projection of a cube of mean width 1.5 h about its own chord, both from
-        // 0 to 1 about the same middle, differs by less than 0.09 on average.
+        // volume.  A ramp of 1.25 h instead of the projection of a cube of mean width 1.5 h about its own chord, both
+        // from 0 to 1 about the same middle, differs by less than 0.09 on average.
         CHECK(difference / volume < 0.09 * 4.5 * (1.0 / cells / 0.25));
         CHECK(difference < 0.65 * coarser * volume);  // first order: a half, plus chance
         coarser = difference / volume;
@@ -247,7 +247,8 @@ TEST_CASE("deposit: a mirror-symmetric bed gives a mirror-symmetric field") {
     }
     const auto field = deposited(mesh, bed);
     for (std::size_t row = 0; row < 64; ++row) {
-        for (std::size_t i = 0; i < 4; ++i) CHECK(field[8 * row + i] == doctest::Approx(field[8 * row + 7 - i]).epsilon(1e-13).scale(1));
+        for (std::size_t i = 0; i < 4; ++i)
+            CHECK(field[8 * row + i] == doctest::Approx(field[8 * row + 7 - i]).epsilon(1e-13).scale(1));
     }
 }
 
@@ -298,7 +299,8 @@ TEST_CASE("deposit: a lattice is searched without bins, with the same bits") {
 
 TEST_CASE("deposit: a mesh of tiny and huge cells is searched in a few visits") {
     // Cells from 1 to 100 in length: volumes over six decades.
-    const box_mesh mesh({graded_planes(1, 30, 1.17), graded_planes(1, 30, 1.17), graded_planes(1, 30, 1.17)}, {false, false, false});
+    const box_mesh mesh({graded_planes(1, 30, 1.17), graded_planes(1, 30, 1.17), graded_planes(1, 30, 1.17)},
+                        {false, false, false});
     const hearth::cell_graph graph(mesh);
     const hearth::cell_locator locator(mesh, graph);
     seeded random(9);
@@ -360,7 +362,8 @@ TEST_CASE("deposit: bad particles are refused by id and value, and the field sta
 }
 
 TEST_CASE("deposit: bad particles and bad meshes are refused on every rank") {
-    const box_mesh mesh({graded_planes(1, 4, 1), graded_planes(1, 4, 1), graded_planes(1, 4, 1)}, {false, false, false});
+    const box_mesh mesh({graded_planes(1, 4, 1), graded_planes(1, 4, 1), graded_planes(1, 4, 1)},
+                        {false, false, false});
     seeded random(1);
     const packing bed = random_spheres(random, 12, 0.05, 0.2);
     enum spoil { outside, not_a_number, twice, bad_extent };

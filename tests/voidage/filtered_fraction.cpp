@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -9,6 +7,7 @@
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/Sparse>
+#include <doctest/doctest.h>
 
 #include <hearth/core/lattice.hpp>
 #include <hearth/voidage/filtered_fraction.hpp>
@@ -43,7 +42,8 @@ double relative_permeability(const hearth::lattice& mesh, const std::vector<doub
     open.periodic[2] = false;
     hearth::mesh_traits<hearth::lattice>::for_each_face(open, [&](int a, int b, double, double conductance) {
         const double g = conductance * 2 * at(a) * at(b) / (at(a) + at(b));
-        for (const auto& [i, j, v] : {std::tuple{a, a, g}, {b, b, g}, {a, b, -g}, {b, a, -g}}) entries.emplace_back(i, j, v);
+        for (const auto& [i, j, v] : {std::tuple{a, a, g}, {b, b, g}, {a, b, -g}, {b, a, -g}})
+            entries.emplace_back(i, j, v);
     });
     const double end = 2 * mesh.spacing[0] * mesh.spacing[1] / mesh.spacing[2];
     for (int c = 0; c < layer; ++c) {
@@ -58,12 +58,15 @@ double relative_permeability(const hearth::lattice& mesh, const std::vector<doub
     const Eigen::VectorXd pressure = solver.solve(source);
     double flow = 0;
     for (int c = 0; c < layer; ++c) flow += end * at(c) * (1 - pressure[c]);
-    const double through_mean = layer * mesh.spacing[0] * mesh.spacing[1] / (mesh.cells[2] * mesh.spacing[2]) * carman_kozeny(mean);
+    const double through_mean =
+        layer * mesh.spacing[0] * mesh.spacing[1] / (mesh.cells[2] * mesh.spacing[2]) * carman_kozeny(mean);
     return flow / through_mean;
 }
 
 /// An odd stride that leaves about so many cells.
-int stride_for(const std::vector<double>& field, int cells) { return std::max(1, static_cast<int>(field.size()) / cells) | 1; }
+int stride_for(const std::vector<double>& field, int cells) {
+    return std::max(1, static_cast<int>(field.size()) / cells) | 1;
+}
 
 }  // namespace
 
@@ -111,10 +114,11 @@ TEST_CASE("filtered fraction: is the bed's indicator under a Gaussian of half a 
             CHECK(report.width == doctest::Approx(0.5 * mean_diameter(b.bed)).epsilon(1e-14));
             CHECK(solid_volume(mesh, field) == doctest::Approx(b.bed.volume()).epsilon(1e-13));
             CHECK(rms_error(mesh, b.bed, field, gauss, 0, stride_for(field, 400)) <= bar);
-            // The ball of equal variance differs from the Gaussian itself, by 0.020 in dense beds and 0.035 in loose ones,
-            // which have more to filter.
+            // The ball of equal variance differs from the Gaussian itself, by 0.020 in dense beds and 0.035 in loose
+            // ones, which have more to filter.
             if (per_diameter >= 2) {
-                CHECK(rms_error(mesh, b.bed, field, ball, 2, stride_for(field, 2000)) <= (b.name[0] == 'd' ? 0.03 : 0.04));
+                CHECK(rms_error(mesh, b.bed, field, ball, 2, stride_for(field, 2000)) <=
+                      (b.name[0] == 'd' ? 0.03 : 0.04));
             }
         }
     }
@@ -122,8 +126,9 @@ TEST_CASE("filtered fraction: is the bed's indicator under a Gaussian of half a 
 
 TEST_CASE("filtered fraction: the permeability of a random bed stays near that of its mean") {
     const std::array<bool, 3> walls{false, false, false}, free{true, true, true};
-    for (const packing& bed : {make_packing({0.56, {9, 9, 9}, 0, walls, 21}), make_packing({0.60, {6, 6, 6}, 0, free, 22}),
-                               make_packing({0.60, {6, 6, 6}, 0.4, free, 23})}) {
+    for (const packing& bed :
+         {make_packing({0.56, {9, 9, 9}, 0, walls, 21}), make_packing({0.60, {6, 6, 6}, 0, free, 22}),
+          make_packing({0.60, {6, 6, 6}, 0.4, free, 23})}) {
         for (const double per_diameter : {1.0, 2.0, 4.0, 8.0}) {
             if (per_diameter > 4 && bed.size[0] > 6) continue;  // a matter of minutes; the field is that of 4, to 0.003
             CAPTURE(bed.size[0]);
@@ -228,7 +233,8 @@ TEST_CASE("filtered fraction: the width is half the volume-weighted mean diamete
     const hearth::lattice mesh = lattice_over(bed, 2);
     std::vector<double> field(static_cast<std::size_t>(mesh.count()));
     // (1/8 * 0.5 + 1 * 1) / (1/8 + 1)
-    CHECK(hearth::filtered_solid_fraction(mesh, bed, field).width == doctest::Approx((0.0625 + 1) / 1.125).epsilon(1e-15));
+    CHECK(hearth::filtered_solid_fraction(mesh, bed, field).width ==
+          doctest::Approx((0.0625 + 1) / 1.125).epsilon(1e-15));
     CHECK(hearth::filtered_solid_fraction(mesh, bed, field, {0.25}).width == 0.25);
     const auto nothing = hearth::filtered_solid_fraction(mesh, packing{}, field);
     CHECK(nothing.width == 0);
@@ -237,8 +243,8 @@ TEST_CASE("filtered fraction: the width is half the volume-weighted mean diamete
 }
 
 TEST_CASE("filtered fraction: never below zero, and says what it did for that") {
-    // Boxes whose volumes differ by up to 1e6, linked at random as no mesh is, and a series as loose as is allowed: one in
-    // a hundred undershoots zero.  (None did on meshes of boxes with their true conductances.)
+    // Boxes whose volumes differ by up to 1e6, linked at random as no mesh is, and a series as loose as is allowed: one
+    // in a hundred undershoots zero.  (None did on meshes of boxes with their true conductances.)
     int tightened = 0;
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {
         CAPTURE(seed);

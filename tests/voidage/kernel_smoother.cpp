@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <string>
 #include <vector>
+
+#include <doctest/doctest.h>
 
 #include <hearth/core/csr_graph.hpp>
 #include <hearth/core/lattice.hpp>
@@ -27,13 +27,13 @@ box_mesh random_mesh(seeded& random) {
     std::array<std::vector<double>, 3> planes;
     std::array<bool, 3> periodic{};
     for (std::size_t a = 0; a < 3; ++a) {
-        planes[a] = graded_planes(random.log_uniform(0.2, 5), 1 + static_cast<int>(random.index(9)), random.log_uniform(0.5, 2));
+        planes[a] = graded_planes(random.log_uniform(0.2, 5), 1 + static_cast<int>(random.index(9)),
+                                  random.log_uniform(0.5, 2));
         periodic[a] = random.index(2) == 0;
     }
     const auto salt = random.index(5);
-    return box_mesh(std::move(planes), periodic, [&](int i, int j, int k) {
-        return (static_cast<std::size_t>(i + 3 * j + 7 * k) + salt) % 5 == 0;
-    });
+    return box_mesh(std::move(planes), periodic,
+                    [&](int i, int j, int k) { return (static_cast<std::size_t>(i + 3 * j + 7 * k) + salt) % 5 == 0; });
 }
 
 std::vector<double> random_field(seeded& random, int count) {
@@ -47,7 +47,8 @@ long double inner(const Graph& graph, const std::vector<double>& f, const std::v
     long double sum = 0;
     for (int c = 0; c < graph.cell_count(); ++c) {
         const auto i = static_cast<std::size_t>(c);
-        sum += static_cast<long double>(graph.volume(c)) * static_cast<long double>(f[i]) * static_cast<long double>(g[i]);
+        sum +=
+            static_cast<long double>(graph.volume(c)) * static_cast<long double>(f[i]) * static_cast<long double>(g[i]);
     }
     return sum;
 }
@@ -87,11 +88,13 @@ TEST_CASE("kernel smoother: keeps volume, constants and symmetry on any mesh") {
         const auto report = smoother.smooth(smooth_f);
         smoother.smooth(smooth_g);
         smoother.smooth(constant);
-        // Each term rounds a cell a few times; errors add up at worst like the number of terms squared (the recurrence).
+        // Each term rounds a cell a few times; errors add up at worst like the number of terms squared (the
+        // recurrence).
         const double terms = smoother.terms() + 2;
         const double roundoff = 2.3e-16 * 10 * terms * terms;
         CHECK(inner(graph, smooth_f, ones) / inner(graph, f, ones) == doctest::Approx(1).epsilon(roundoff));
-        CHECK(inner(graph, smooth_f, g) / inner(graph, f, smooth_g) == doctest::Approx(1).epsilon(std::min(roundoff, 1e-12)));
+        CHECK(inner(graph, smooth_f, g) / inner(graph, f, smooth_g) ==
+              doctest::Approx(1).epsilon(std::min(roundoff, 1e-12)));
         for (const double value : constant) CHECK(value == doctest::Approx(0.7).epsilon(roundoff));
         CHECK(report.lowest >= 0);
         CHECK(report.highest <= 10 * (1 + roundoff));
@@ -144,7 +147,8 @@ TEST_CASE("kernel smoother: the second moment is the width squared on cells of a
             point moment{};
             for (int c = 0; c < graph.cell_count(); ++c) {
                 const point x = hearth::mesh_traits<hearth::lattice>::centre(mesh, c);
-                for (std::size_t a = 0; a < 3; ++a) moment[a] += field[static_cast<std::size_t>(c)] * (x[a] - from[a]) * (x[a] - from[a]);
+                for (std::size_t a = 0; a < 3; ++a)
+                    moment[a] += field[static_cast<std::size_t>(c)] * (x[a] - from[a]) * (x[a] - from[a]);
             }
             // Conductances are floats: 6e-8.
             for (std::size_t a = 0; a < 3; ++a) CHECK(moment[a] == doctest::Approx(width * width).epsilon(1e-7));
@@ -165,7 +169,8 @@ TEST_CASE("kernel smoother: tends to the Gaussian") {
         if (r2 > 4) continue;
         // Second order in h / width = 1/8: the discrete rate is less by h^2 k^4 / 12, which with t = 1/2 takes
         // h^2/24 <k^4> = h^2/24 * 2 * 3 of the peak, 0.4 %.
-        CHECK(std::abs(field[static_cast<std::size_t>(c)] - std::exp(-r2 / 2) / (2 * 3.14159265358979)) < 0.005 / (2 * 3.14159265358979));
+        CHECK(std::abs(field[static_cast<std::size_t>(c)] - std::exp(-r2 / 2) / (2 * 3.14159265358979)) <
+              0.005 / (2 * 3.14159265358979));
     }
 }
 
@@ -177,7 +182,8 @@ TEST_CASE("kernel smoother: the lattice path gives the bits of the general path"
         std::array<std::vector<double>, 3> planes;
         for (std::size_t a = 0; a < 3; ++a) {
             mesh.cells[a] = 1 + static_cast<int>(random.index(9));
-            mesh.spacing[a] = 0.25 * static_cast<double>(1 + random.index(4));  // exact, so that both meshes are the same
+            mesh.spacing[a] =
+                0.25 * static_cast<double>(1 + random.index(4));  // exact, so that both meshes are the same
             mesh.periodic[a] = random.index(2) == 0;
             for (int i = 0; i <= mesh.cells[a]; ++i) planes[a].push_back(i * mesh.spacing[a]);
         }
@@ -195,8 +201,8 @@ TEST_CASE("kernel smoother: the lattice path gives the bits of the general path"
 }
 
 TEST_CASE("kernel smoother: the same bits on any number of ranks") {
-    const box_mesh mesh({graded_planes(2, 8, 1.2), graded_planes(1, 7, 1), graded_planes(1, 6, 0.8)}, {false, true, false},
-                        [](int i, int j, int k) { return (i + j + k) % 4 == 0; });
+    const box_mesh mesh({graded_planes(2, 8, 1.2), graded_planes(1, 7, 1), graded_planes(1, 6, 0.8)},
+                        {false, true, false}, [](int i, int j, int k) { return (i + j + k) % 4 == 0; });
     seeded random(1);
     const std::vector<double> input = random_field(random, mesh.size());
     std::vector<double> expected = input;
@@ -242,9 +248,11 @@ TEST_CASE("kernel smoother: bad input is refused on all ranks and the field stay
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const box_mesh mesh({{{0, 1, 2, 3}, {0, 1}, {0, 1}}}, {false, false, false});
     const hearth::cell_graph graph(mesh);
-    CHECK(says(complaint([&] { hearth::kernel_smoother(graph, -1.0); }), "kernel_smoother width is -1, allowed: finite"));
+    CHECK(
+        says(complaint([&] { hearth::kernel_smoother(graph, -1.0); }), "kernel_smoother width is -1, allowed: finite"));
     CHECK(says(complaint([&] { hearth::kernel_smoother(graph, nan); }), "kernel_smoother width is nan"));
-    CHECK(says(complaint([&] { hearth::kernel_smoother(graph, 1.0, {0.0}); }), "tolerance is 0, allowed: in (0, 0.01]"));
+    CHECK(
+        says(complaint([&] { hearth::kernel_smoother(graph, 1.0, {0.0}); }), "tolerance is 0, allowed: in (0, 0.01]"));
     CHECK(says(complaint([&] { hearth::kernel_smoother(graph, 1.0, {0.2}); }), "tolerance is 0.2"));
     const std::vector<int> offsets{0, 1, 2}, neighbours{1, 0};
     const std::vector<double> volumes{1, 1};

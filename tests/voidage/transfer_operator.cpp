@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -8,6 +6,8 @@
 #include <limits>
 #include <string>
 #include <vector>
+
+#include <doctest/doctest.h>
 
 #include <hearth/core/lattice.hpp>
 #include <hearth/voidage/transfer_operator.hpp>
@@ -153,7 +153,8 @@ TEST_CASE("transfer operator: the same bits on any number of ranks") {
 
         for (const int ranks : {1, 2, 3, 4, 5, 8}) {
             CAPTURE(ranks);
-            const std::vector<int> owners = random_owners(s.mesh.size(), ranks, seed + static_cast<std::uint64_t>(ranks));
+            const std::vector<int> owners =
+                random_owners(s.mesh.size(), ranks, seed + static_cast<std::uint64_t>(ranks));
             std::vector<double> fraction_there(s.cells()), cells_there(s.cells()), particles_there(s.particles());
             on_ranks(ranks, [&](thread_communicator communicator) {
                 const box_share share(s.mesh, owners, communicator.rank(), 3);
@@ -176,7 +177,8 @@ TEST_CASE("transfer operator: the same bits on any number of ranks") {
                     fraction_there[static_cast<std::size_t>(share.cells[c])] = field[c];
                     cells_there[static_cast<std::size_t>(share.cells[c])] = received[c];
                 }
-                for (std::size_t i = 0; i < seen.size(); ++i) particles_there[static_cast<std::size_t>(cloud.ids[i])] = seen[i];
+                for (std::size_t i = 0; i < seen.size(); ++i)
+                    particles_there[static_cast<std::size_t>(cloud.ids[i])] = seen[i];
             });
             const auto same = [](const std::vector<double>& a, const std::vector<double>& b) {
                 return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
@@ -235,7 +237,8 @@ TEST_CASE("transfer operator: refuses what it cannot do, and leaves the fields")
     CHECK_THROWS_AS(transfer.gather(fraction, seen), std::logic_error);
 
     using settings = hearth::filtered_fraction_settings;
-    CHECK_THROWS_AS(hearth::transfer_operator<hearth::lattice>(locator, settings{std::nullopt, 1.5, 1e-5}), hearth::bad_value);
+    CHECK_THROWS_AS(hearth::transfer_operator<hearth::lattice>(locator, settings{std::nullopt, 1.5, 1e-5}),
+                    hearth::bad_value);
     hearth::transfer_operator<hearth::lattice> negative(locator, settings{-1.0, 0.74, 1e-5});
     CHECK_THROWS_AS(negative.distribute(bed, field), hearth::bad_value);
     hearth::transfer_operator<hearth::lattice> loose(locator, settings{std::nullopt, 0.74, 0.5});

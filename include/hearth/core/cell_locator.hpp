@@ -29,17 +29,17 @@ struct box {
 /// Finds the cells near a sphere, from the centres and extents of the cells alone, so that it works on any mesh, on a
 /// rank's share of one, and on islands of single cells.  Built once per mesh revision, beside the graph.
 ///
-/// The *reach* of a cell is the box of all points within `widest` extents of its centre, along each axis.  Cells are sorted by size into levels, powers of two of their longest side, and each level into bins of that side, so
-/// that a mesh with tiny and huge cells needs few visits at either end.  About 60 bytes a cell; nothing on a lattice.
+/// The *reach* of a cell is the box of all points within `widest` extents of its centre, along each axis.  Cells are
+/// sorted by size into levels, powers of two of their longest side, and each level into bins of that side, so that a
+/// mesh with tiny and huge cells needs few visits at either end.  About 60 bytes a cell; nothing on a lattice.
 ///
 /// Keeps references to the mesh and to the graph: both must outlive it.
-/// Errors: bad_value for centres that are not finite and extents that are not finite and positive.  Thrown on every rank.
+/// Errors: bad_value for centres that are not finite and extents that are not finite and positive.  Thrown on every
+/// rank.
 template <class Mesh, class Communicator = serial_communicator>
 class cell_locator {
   public:
     using index = std::int32_t;
-    using communicator_type = Communicator;
-    using mesh_type = Mesh;
     static constexpr double widest = 2;
 
     cell_locator(const Mesh& mesh, const cell_graph<Communicator>& graph) : mesh_(&mesh), graph_(&graph) {
@@ -68,11 +68,25 @@ class cell_locator {
     /// What the reaches of the cells of each rank cover.
     const std::vector<box>& reach_of_ranks() const { return reach_of_ranks_; }
 
-    /// Owned cell that holds a point, or -1: the host's own answer.
-    index find(const point& x) const { return static_cast<index>(traits::find_cell(*mesh_, x)); }
+    /// Owned cell that holds a point, or -1: the host's own answer; without one, of the cells whose extents hold it that
+    /// with the nearest centre, and of equally near ones that of the lowest id.
+    index find(const point& x) const {
+        if constexpr (has_find_cell_v<Mesh>) {
+            return static_cast<index>(traits::find_cell(*mesh_, x));
+        } else {
+            index found = -1;
+            double nearest = 0;
+            for_each_near(x, 0, 0.5, [&](index cell, const point& d, const point&) {
+                const double away = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+                const bool better = away < nearest || (away == nearest && graph_->global_index(cell) < graph_->global_index(found));
+                if (found < 0 || better) found = cell, nearest = away;
+            });
+            return found;
+        }
+    }
 
-    /// Visits, at least, every owned cell whose centre is within `radius` [m] and `extents` (at most `widest`) of its own
-    /// extents from x along each axis, once for each periodic image: visit(cell, centre - x [m], extent [m]).
+    /// Visits, at least, every owned cell whose centre is within `radius` [m] and `extents` (at most `widest`) of its
+    /// own extents from x along each axis, once for each periodic image: visit(cell, centre - x [m], extent [m]).
     template <class Visit>
     void for_each_near(const point& x, double radius, double extents, Visit&& visit) const {
         for_each_image(x, radius, reach_, [&](const point& shift) {
@@ -119,9 +133,9 @@ class cell_locator {
 
     /// Cells of one size class, bin by bin.
     struct level {
-        point low{};           // lowest centre
-        point high{};          // highest centre
-        point extent{};        // largest along each axis
+        point low{};     // lowest centre
+        point high{};    // highest centre
+        point extent{};  // largest along each axis
         point bins_per_metre{};
         std::array<std::int64_t, 3> bins{1, 1, 1};
         std::vector<std::uint32_t> starts;
@@ -171,7 +185,9 @@ class cell_locator {
     }
 
     void sort(std::vector<placed> cells) {
-        const auto size_class = [](const placed& p) { return std::ilogb(std::max({p.extent[0], p.extent[1], p.extent[2]})); };
+        const auto size_class = [](const placed& p) {
+            return std::ilogb(std::max({p.extent[0], p.extent[1], p.extent[2]}));
+        };
         std::stable_sort(cells.begin(), cells.end(),
                          [&](const placed& a, const placed& b) { return size_class(a) < size_class(b); });
         for (std::size_t begin = 0, end = 0; begin < cells.size(); begin = end) {
@@ -234,8 +250,7 @@ class cell_locator {
     }
 
     template <class Visit>
-    void visit_lattice(const point& x, const point& shift, double radius, double extents,
-                            Visit& visit) const {
+    void visit_lattice(const point& x, const point& shift, double radius, double extents, Visit& visit) const {
         const lattice_shape& shape = *graph_->lattice();
         std::array<std::int32_t, 3> first{}, last{};
         for (std::size_t a = 0; a < 3; ++a) {
@@ -263,12 +278,10 @@ class cell_locator {
     }
 
     void measure() {
-        const auto count = static_cast<std::size_t>(graph_->cell_count());
-        const double* v = graph_->volumes();
-        const double mine = count == 0 ? 0.0 : *std::max_element(v, v + count);
-        largest_volume_ = communicator().max(mine);
+        const double *v = graph_->volumes(), *end = v + graph_->cell_count();
+        largest_volume_ = communicator().max(v == end ? 0.0 : *std::max_element(v, end));
         reproducible_sum total(largest_volume_, std::int64_t{1} << 36);
-        for (std::size_t c = 0; c < count; ++c) total.add(v[c]);
+        for (; v != end; ++v) total.add(*v);
         communicator().sum(total.limbs(), reproducible_sum::limb_count());
         total_volume_ = total.value();
     }

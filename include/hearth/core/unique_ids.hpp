@@ -12,8 +12,8 @@
 
 namespace hearth {
 
-/// An id that occurs twice over all ranks, if there is one.  Each id is checked by the rank id modulo size, so only that
-/// rank finds it: follow with throw_agreed.
+/// An id that occurs twice over all ranks, if there is one.  Each id is checked by the rank id modulo size, so only
+/// that rank finds it: follow with throw_agreed.
 template <class Communicator>
 std::optional<std::int64_t> find_duplicate(const Communicator& communicator, std::vector<std::int64_t> ids) {
     if constexpr (Communicator::is_distributed) {

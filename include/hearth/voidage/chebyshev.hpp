@@ -8,8 +8,8 @@
 
 namespace hearth {
 
-/// Coefficients c_0 ... c_K with which  sum_k c_k T_k(1 - x)  approximates  exp(-z x)  on 0 <= x <= 2, T_k the Chebyshev
-/// polynomials of the first kind: c_0 = e^-z I_0(z), c_k = 2 e^-z I_k(z), I_k the modified Bessel functions
+/// Coefficients c_0 ... c_K with which  sum_k c_k T_k(1 - x)  approximates  exp(-z x)  on 0 <= x <= 2, T_k the
+/// Chebyshev polynomials of the first kind: c_0 = e^-z I_0(z), c_k = 2 e^-z I_k(z), I_k the modified Bessel functions
 /// (Abramowitz and Stegun 9.6.34).
 ///
 /// K is the smallest for which the coefficients left out sum to at most `tolerance`.  What remains is adjusted to keep
@@ -31,8 +31,8 @@ class heat_kernel_series {
             coefficients_ = {1 - z, z};
             return;
         }
-        // The slope of the truncated series grows with z from 0 to about K^2 / 3, so bisection finds the z that gives the
-        // slope wanted.
+        // The slope of the truncated series grows with z from 0 to about K^2 / 3, so bisection finds the z that gives
+        // the slope wanted.
         double low = z, high = 2 * z;
         while (slope(high, last) < z && high < 1e3 * z) high *= 2;
         for (int i = 0; i < 60; ++i) {
@@ -46,8 +46,8 @@ class heat_kernel_series {
     double operator[](std::size_t k) const { return coefficients_[k]; }
 
   private:
-    /// c_k of the full series, as far as they matter, by Miller's downward recurrence I_{k-1} = I_{k+1} + (2k/z) I_k and
-    /// the sum, which is 1.
+    /// c_k of the full series, as far as they matter, by Miller's downward recurrence I_{k-1} = I_{k+1} + (2k/z) I_k
+    /// and the sum, which is 1.
     static std::vector<double> bessel_ratios(double z) {
         const auto start = static_cast<std::size_t>(30 + 12 * std::sqrt(z));  // I_start / I_0 < 1e-30
         std::vector<double> c(start + 1, 0.0);

@@ -19,8 +19,8 @@
 /// hangs over a wall goes to the cells inside.
 namespace hearth::deposit {
 
-/// All volume to the cell that holds the centre.  Jumps when a centre crosses a face; for tests and comparisons, and for
-/// the paper's method (Spijker et al. 2023), where the VFS spreads it afterwards.
+/// All volume to the cell that holds the centre.  Jumps when a centre crosses a face; for tests and comparisons, and
+/// for the paper's method (Spijker et al. 2023), where the VFS spreads it afterwards.
 struct centre {
     template <class Locator>
     sighting look(const Locator& locator, const visitor& v) const {
@@ -33,9 +33,9 @@ struct centre {
     }
 };
 
-/// Equal parts to the cells that hold 29 points of the sphere: one in a core of 1/29 of its volume, 14 each in two shells
-/// of 14/29, towards the faces and corners of a cube, at the mean radius of their shell.  Each point's part jumps when
-/// the point crosses a face.  On several ranks find_cell must give a point on a face to one of them only.
+/// Equal parts to the cells that hold 29 points of the sphere: one in a core of 1/29 of its volume, 14 each in two
+/// shells of 14/29, towards the faces and corners of a cube, at the mean radius of their shell.  Each point's part
+/// jumps when the point crosses a face.  On several ranks find_cell must give a point on a face to one of them only.
 struct divided {
     static constexpr int point_count = 29;
 
@@ -86,23 +86,23 @@ struct divided {
     }
 };
 
-/// The default: a cell is filled to the degree  clamp(1/2 - (s - max(R, h/2)) / w, 0, 1),  w = 1.25 clamp(2R, 0.3 h, h),
-/// s the distance of the cell's centre from the particle's and h the chord of the cell's ellipsoid along it.  The shares
-/// are in proportion to that times V / (V + (2R)^3).
+/// The default: a cell is filled to the degree  clamp(1/2 - (s - max(R, h/2)) / w, 0, 1),  w = 1.25 clamp(2R, 0.3 h,
+/// h), s the distance of the cell's centre from the particle's and h the chord of the cell's ellipsoid along it.  The
+/// shares are in proportion to that times V / (V + (2R)^3).
 ///
-/// So cells smaller than the particle get the volume that it fills in them, to first order in h / R.  A particle smaller
-/// than its cell is shared while it passes a face, about where it overlaps with both sides, in equal parts when it is on
-/// the face, however much larger one of the cells is.  Shares are continuous in the particle's position at every ratio of
-/// sizes; the slope is at most 3 / h.  Where no cell would be filled to 1/2 (a small particle near an edge, or cells that
-/// their extents do not cover, as polyhedra), s/h is lowered by the same amount for all cells until one is, which is
-/// continuous too: the sum of all degrees never vanishes.  (Where even the nearest cell is more than 1.7 of its extents
-/// away, the host's extents are wrong: its find_cell decides.)
+/// So cells smaller than the particle get the volume that it fills in them, to first order in h / R.  A particle
+/// smaller than its cell is shared while it passes a face, about where it overlaps with both sides, in equal parts when
+/// it is on the face, however much larger one of the cells is.  Shares are continuous in the particle's position at
+/// every ratio of sizes; the slope is at most 3 / h.  Where no cell would be filled to 1/2 (a small particle near an
+/// edge, or cells that their extents do not cover, as polyhedra), s/h is lowered by the same amount for all cells until
+/// one is, which is continuous too: the sum of all degrees never vanishes.  (Where even the nearest cell is more
+/// than 1.7 of its extents away, the host's extents are wrong: its find_cell decides.)
 ///
 /// Outside the mesh is a particle whose centre is in the box of no cell, if find_cell finds none for it either.
 struct ramp {
-    /// w where R > h/2, in chords.  1 is nearest to the overlap itself.  A little more also damps the waves of two cells'
-    /// length that a discrete kernel afterwards damps too little (its rate there is 4/h^2 instead of pi^2/h^2): on six
-    /// random beds the error of the filtered fraction is two thirds of that with 1 at d/h = 1 to 2.
+    /// w where R > h/2, in chords.  1 is nearest to the overlap itself.  A little more also damps the waves of two
+    /// cells' length that a discrete kernel afterwards damps too little (its rate there is 4/h^2 instead of pi^2/h^2):
+    /// on six random beds the error of the filtered fraction is two thirds of that with 1 at d/h = 1 to 2.
     static constexpr double width = 1.25;
     /// w is no less than this, in widths.
     static constexpr double narrowest = 0.3;
@@ -126,7 +126,8 @@ struct ramp {
         if (nearest > deepest_sought) return centre{}.for_each_weight(locator, v, nearest, visit);
         const double lowered = std::max(0.0, nearest);
         const double cube = 8 * v.radius * v.radius * v.radius;
-        // s < h/2 + w/2 = R + (1/2 + narrowest width / 2) h at most, if R < h/2; else s < R + width h / 2, which is less.
+        // s < h/2 + w/2 = R + (1/2 + narrowest width / 2) h at most, if R < h/2; else s < R + width h / 2, which is
+        // less.
         locator.for_each_near(v.position, v.radius, 0.5 + 0.5 * narrowest * width + lowered,
                               [&](std::int32_t cell, const point& offset, const point& extent) {
                                   const place at(offset, extent, v.radius);
@@ -204,12 +205,12 @@ deposit_report count_particles(const visitors<Communicator>& particles) {
     return {count, volume.value(), 0};
 }
 
-/// Sets the solid fraction [-] of every owned cell from the particles' volumes, unsmoothed: fractions above 1 are normal
-/// for particles larger than a cell (see filtered_fraction.hpp for the void fraction that closures need).
+/// Sets the solid fraction [-] of every owned cell from the particles' volumes, unsmoothed: fractions above 1 are
+/// normal for particles larger than a cell (see filtered_fraction.hpp for the void fraction that closures need).
 /// Errors: those of footprints; stale_graph.  The field is then as it was.
 template <class Mesh, class Communicator, class Cloud, class Field, class Policy = deposit::ramp>
-deposit_report deposit_solid_fraction(const cell_locator<Mesh, Communicator>& locator, const Cloud& cloud, Field& solid_fraction,
-                                      const Policy& policy = {}) {
+deposit_report deposit_solid_fraction(const cell_locator<Mesh, Communicator>& locator, const Cloud& cloud,
+                                      Field& solid_fraction, const Policy& policy = {}) {
     const cell_graph<Communicator>& graph = locator.graph();
     graph.require_current();
     const footprints<Communicator> particles(locator, cloud, policy);

@@ -32,8 +32,8 @@ struct sighting {
 /// sum to 1 to round-off, and neither storage order nor the number of ranks can change a bit of them.
 ///
 /// A policy (see deposit.hpp) offers, for a particle and the owned cells of a rank:
-///     sighting look(locator, visitor)                          does it stand in the mesh, and how near is the nearest cell
-///     void for_each_weight(locator, visitor, nearest, visit)   visit(cell, weight), nearest over all ranks
+///     sighting look(locator, visitor)                          does it stand in the mesh, and how near is the nearest
+///     cell void for_each_weight(locator, visitor, nearest, visit)   visit(cell, weight), nearest over all ranks
 ///
 /// Errors: bad_value as visitors has them, and for a particle whose centre is outside the mesh.  Thrown on every rank.
 template <class Communicator = serial_communicator>

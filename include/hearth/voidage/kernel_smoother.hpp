@@ -21,26 +21,31 @@ namespace hearth {
 
 /// What one call of a kernel_smoother did, over all ranks.
 struct smoothing_report {
-    int terms = 0;         ///< of the series: visits of each cell, and exchanges between ranks
-    double lowest = 0;     ///< least value of the result
-    double highest = 0;    ///< largest value of the result
+    int terms = 0;       ///< of the series: visits of each cell, and exchanges between ranks
+    double lowest = 0;   ///< least value of the result
+    double highest = 0;  ///< largest value of the result
 };
 
 struct kernel_settings {
     double tolerance = 1e-5;  ///< sum of the coefficients of the series that are left out [-], in (0, 0.01]
 };
 
-/// Spreads a field over the mesh with a kernel of a physical width: the heat kernel  exp(-(width^2 / 2) L),  L the finite
-/// volume Laplacian of the graph's conductances with walls that let nothing through.  In free space it is a Gaussian of
-/// standard deviation `width` along each axis, whatever the shape of the cells.
+/// Spreads a field over the mesh with a kernel of a physical width: the heat kernel  exp(-(width^2 / 2) L),  L the
+/// finite volume Laplacian of the graph's conductances with walls that let nothing through.  In free space it is a
+/// Gaussian of standard deviation `width` along each axis, whatever the shape of the cells.
 ///
-/// Done by a Chebyshev series in L (see chebyshev.hpp): as many visits of each cell as there are terms, about 4.8 width /
-/// (least spacing of cells) of them, no sums over ranks, one exchange of ghosts a term, two work vectors.
+/// Done by a Chebyshev series in L (see chebyshev.hpp): as many visits of each cell as there are terms, about 4.8 width
+/// / (least spacing of cells) of them, no sums over ranks, one exchange of ghosts a term, two work vectors.
 ///
-/// Keeps: the sum of volume times field (to round-off), constants, and symmetry: sum V f S(g) = sum V g S(f).  The second
-/// moment is width^2 exactly.  Results are bitwise independent of the number of ranks and of storage order.  A field >= 0
-/// gives a field >= 0 on any sensible mesh; on a graph with volumes spread over many powers of ten the truncated series
-/// can undershoot by `tolerance`, which report.lowest shows.
+/// The number of terms follows the smallest cells, also where they are few.  An implicit method by conjugate gradients
+/// would need two to eight times as many visits, and sums over ranks, on uniform cells as on cells graded by 1e6 in
+/// volume (77 terms against 589 visits, 908 against 2017); only for single thin layers would it need fewer (342 against
+/// 153).
+///
+/// Keeps: the sum of volume times field (to round-off), constants, and symmetry: sum V f S(g) = sum V g S(f).  The
+/// second moment is width^2 exactly.  Results are bitwise independent of the number of ranks and of storage order.  A
+/// field >= 0 gives a field >= 0 on any sensible mesh; on a graph with volumes spread over many powers of ten the
+/// truncated series can undershoot by `tolerance`, which report.lowest shows.
 ///
 /// Needs a mesh with faces (conductances).  Not to be shared by threads: smooth() uses the work vectors.
 template <class Communicator = serial_communicator>
@@ -79,7 +84,9 @@ class kernel_smoother {
             for (std::size_t k = last - 1; k > 0; --k) steps.push_back({series_[k], 2});
             steps.push_back({series_[0], 1});
             if (graph_->lattice() && graph_->cell_count() > 0) {
-                const auto by_lists = [&](std::int64_t cell, auto&... rest) { step(static_cast<index>(cell), rest...); };
+                const auto by_lists = [&](std::int64_t cell, auto&... rest) {
+                    step(static_cast<index>(cell), rest...);
+                };
                 detail::lattice_stencil(*graph_, *graph_->lattice())
                     .apply(steps, field, work_[0].data(), work_[1].data(), rate_ / graph_->volume(0), by_lists);
             } else {
@@ -148,8 +155,8 @@ class kernel_smoother {
 
     /// One term for one cell, neighbours in the order of their global indices.
     template <class Input, class Output>
-    void step(index cell, const detail::clenshaw_term& term, const Input& input, const double* b, const double* b_before,
-              Output& output) const {
+    void step(index cell, const detail::clenshaw_term& term, const Input& input, const double* b,
+              const double* b_before, Output& output) const {
         const index* neighbours = graph_->neighbours();
         const float* conductances = graph_->conductances();
         double sum = 0;
@@ -179,7 +186,8 @@ class kernel_smoother {
     }
 
     template <class Input, class Output>
-    void sweep(const detail::clenshaw_term& term, const Input& input, double* b, const double* b_before, Output& output) {
+    void sweep(const detail::clenshaw_term& term, const Input& input, double* b, const double* b_before,
+               Output& output) {
         auto under_way = graph_->halo().begin_gather(b);
         auto border = border_.begin();
         for (index c = 0; c < graph_->cell_count(); ++c) {

@@ -19,8 +19,8 @@ struct clenshaw_term {
     double factor;
 };
 
-/// Applies terms on a structured lattice: coefficients instead of lists, rows that a compiler can vectorise, and several
-/// terms in one pass over memory, plane by plane one behind the other.
+/// Applies terms on a structured lattice: coefficients instead of lists, rows that a compiler can vectorise, and
+/// several terms in one pass over memory, plane by plane one behind the other.
 ///
 /// Neighbours are added in the order of their numbers as the general path does, so both give the same bits (where the
 /// compiler contracts neither to fused multiply-adds).
@@ -34,7 +34,8 @@ class lattice_stencil {
         const std::array<std::int64_t, 3> stride{1, cells_[0], std::int64_t{cells_[0]} * cells_[1]};
         for (std::uint32_t k = graph.row_begin(0); k < graph.row_end(0); ++k) {
             for (std::size_t a = 0; a < 3; ++a) {
-                if (cells_[a] > 1 && graph.neighbours()[k] == stride[a]) g_[a] = static_cast<double>(graph.conductances()[k]);
+                if (cells_[a] > 1 && graph.neighbours()[k] == stride[a])
+                    g_[a] = static_cast<double>(graph.conductances()[k]);
             }
         }
     }
@@ -89,7 +90,8 @@ class lattice_stencil {
                                    g_[0] * (here[i - 1] - here[i]) + g_[0] * (here[i + 1] - here[i]) +
                                    g_[1] * (north[i] - here[i]) + g_[2] * (above[i] - here[i]);
                 const auto at = static_cast<std::size_t>(row + i);
-                const double value = term.c * static_cast<double>(input[at]) + term.factor * (here[i] + rate * sum) - b_before[at];
+                const double value =
+                    term.c * static_cast<double>(input[at]) + term.factor * (here[i] + rate * sum) - b_before[at];
                 output[at] = static_cast<std::decay_t<decltype(output[at])>>(value);
             }
             if (nx > 1) general(row + nx - 1, term, input, b, b_before, output);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +27,8 @@ struct filtered_fraction_settings {
     /// d = sum V_p d_p / sum V_p over all particles, so that fines among lumps do not shrink the scale on which the
     /// closures' porosity is meant.  A bed of two sizes apart in space may want two operators.
     std::optional<double> width;
-    /// Largest solid fraction of a cell [-]; what is above goes to the neighbours.  The densest packing of spheres has 0.74.
+    /// Largest solid fraction of a cell [-]; what is above goes to the neighbours.  The densest packing of spheres has
+    /// 0.74.
     double threshold = 0.74;
     /// Of the kernel's series, see kernel_smoother.
     double tolerance = 1e-5;
@@ -37,28 +37,30 @@ struct filtered_fraction_settings {
 /// What a call that made a solid fraction did, over all ranks.
 struct filtered_fraction_report {
     std::int64_t particles = 0;
-    double solid_volume = 0;         ///< of all particles [m^3]
-    double width = 0;                ///< standard deviation of the kernel that was used [m]
-    int terms = 0;                   ///< of its series
-    double deposited_maximum = 0;    ///< largest solid fraction before smoothing [-]
-    double smoothed_maximum = 0;     ///< after smoothing, before the cap [-]
-    double maximum = 0;              ///< of the result [-]
-    double capped_volume = 0;        ///< solid that smoothing left above the threshold and the cap moved [m^3]
-    vfs_report cap;                  ///< what the cap did
-    bool tightened = false;          ///< the series undershot zero and was taken to round-off instead
-    std::int64_t zeroed_cells = 0;   ///< cells in which round-off below zero was set to zero
-    double zeroed_volume = 0;        ///< the solid so gained [m^3]
+    double solid_volume = 0;        ///< of all particles [m^3]
+    double width = 0;               ///< standard deviation of the kernel that was used [m]
+    int terms = 0;                  ///< of its series
+    double deposited_maximum = 0;   ///< largest solid fraction before smoothing [-]
+    double smoothed_maximum = 0;    ///< after smoothing, before the cap [-]
+    double maximum = 0;             ///< of the result [-]
+    double capped_volume = 0;       ///< solid that smoothing left above the threshold and the cap moved [m^3]
+    vfs_report cap;                 ///< what the cap did
+    bool tightened = false;         ///< the series undershot zero and was taken to round-off instead
+    std::int64_t zeroed_cells = 0;  ///< cells in which round-off below zero was set to zero
+    double zeroed_volume = 0;       ///< the solid so gained [m^3]
 };
 
 /// The map from particles to cells that makes the solid fraction, kept: what it did to volume it does to any other
-/// property of the particles (momentum, heat, species sources), and transposed it gives the gas as the particles see it.
+/// property of the particles (momentum, heat, species sources), and transposed it gives the gas as the particles see
+/// it.
 ///
-/// In matrix form  W = L V S V^-1 D^T : D the footprints of the deposit (ramp), S the kernel smoother, V the cell volumes,
-/// L the record of the cap.  Each column of W sums to 1: cell c receives the share W_cp of what particle p gives off.
+/// In matrix form  W = L V S V^-1 D^T : D the footprints of the deposit (ramp), S the kernel smoother, V the cell
+/// volumes, L the record of the cap.  Each column of W sums to 1: cell c receives the share W_cp of what particle p
+/// gives off.
 ///   scatter:  f_c = sum_p W_cp F_p      extensive values: sources a particle [N, W, kg/s] become sources a cell
 ///   gather:   u_p = sum_c W_cp u_c      intensive values: the mean of the gas over the particle's shares
-/// They are exact transposes, so  sum_c f_c u_c = sum_p F_p u_p : the power that the particles exert on the gas they see
-/// is the power that the gas receives.  Sums of sources are kept, and constants are seen as constants.
+/// They are exact transposes, so  sum_c f_c u_c = sum_p F_p u_p : the power that the particles exert on the gas they
+/// see is the power that the gas receives.  Sums of sources are kept, and constants are seen as constants.
 ///
 /// distribute() sets the map; between two calls it belongs to the particles of the first, in their order.  Results are
 /// bitwise independent of the number of ranks and of storage order.
@@ -107,8 +109,8 @@ class transfer_operator {
     std::uint64_t revision() const { return revision_; }
     const locator_type& locator() const { return *locator_; }
 
-    /// The shares of one particle, by its id: the cells of this rank that get any, and what each gets of 1.  Called on all
-    /// ranks.  As dear as scatter.
+    /// The shares of one particle, by its id: the cells of this rank that get any, and what each gets of 1.  Called on
+    /// all ranks.  As dear as scatter.
     std::vector<std::pair<std::int32_t, double>> footprint(std::int64_t id) {
         require_map();
         const auto& visitors = footprints_->visitors();
@@ -125,9 +127,9 @@ class transfer_operator {
         return shares;
     }
 
-    /// Sets cells[c], c an owned cell, to what the particles give it: one number or three for each particle and cell, in
-    /// any unit that adds up.
-    /// Errors, on all ranks: bad_value for values that are not finite, std::logic_error before distribute(), stale_graph.
+    /// Sets cells[c], c an owned cell, to what the particles give it: one number or three for each particle and cell,
+    /// in any unit that adds up. Errors, on all ranks: bad_value for values that are not finite, std::logic_error
+    /// before distribute(), stale_graph.
     template <class ParticleValues, class CellValues>
     void scatter(const ParticleValues& particles, CellValues& cells) {
         require_map();
@@ -196,7 +198,8 @@ class transfer_operator {
             if constexpr (component_count<Values> == 1) {
                 target = static_cast<value<Values>>(components[0][i]);
             } else {
-                for (std::size_t a = 0; a < 3; ++a) target[a] = static_cast<std::decay_t<decltype(target[a])>>(components[a][i]);
+                for (std::size_t a = 0; a < 3; ++a)
+                    target[a] = static_cast<std::decay_t<decltype(target[a])>>(components[a][i]);
             }
         }
     }
@@ -204,7 +207,8 @@ class transfer_operator {
     /// Volume-weighted mean radius over all ranks [m].
     double half_mean_diameter(const visitors<Communicator>& particles) const {
         double largest = 0;
-        for (std::size_t i = 0; i < particles.owned_count(); ++i) largest = std::max(largest, particles.owned(i).radius);
+        for (std::size_t i = 0; i < particles.owned_count(); ++i)
+            largest = std::max(largest, particles.owned(i).radius);
         largest = graph().communicator().max(largest);
         if (largest == 0) return 0;  // no particles
         reproducible_sum weight(1.0, std::int64_t{1} << 36), weighted = weight;
@@ -247,17 +251,15 @@ class transfer_operator {
     }
 
     void zero_negatives(filtered_fraction_report& report) {
-        std::array<std::int64_t, 1> count{0};
         reproducible_sum volume(locator_->largest_volume(), std::int64_t{1} << 36);
         for (std::size_t c = 0; c < cells_.size(); ++c) {
             if (cells_[c] >= 0) continue;
-            ++count[0];
+            ++report.zeroed_cells;
             volume.add(-cells_[c] * graph().volume(static_cast<std::int32_t>(c)));
             cells_[c] = 0;
         }
-        graph().communicator().sum(count.data(), 1);
+        graph().communicator().sum(&report.zeroed_cells, 1);
         graph().communicator().sum(volume.limbs(), reproducible_sum::limb_count());
-        report.zeroed_cells = count[0];
         report.zeroed_volume = volume.value();
     }
 
@@ -276,9 +278,11 @@ class transfer_operator {
     void spread(const std::vector<double>& at_visitors) {
         std::fill(cells_.begin(), cells_.end(), 0.0);
         footprints_->scatter(at_visitors, cells_.data());
-        for (std::int32_t c = 0; c < graph().cell_count(); ++c) cells_[static_cast<std::size_t>(c)] /= graph().volume(c);
+        for (std::int32_t c = 0; c < graph().cell_count(); ++c)
+            cells_[static_cast<std::size_t>(c)] /= graph().volume(c);
         smoother_->smooth(cells_);
-        for (std::int32_t c = 0; c < graph().cell_count(); ++c) cells_[static_cast<std::size_t>(c)] *= graph().volume(c);
+        for (std::int32_t c = 0; c < graph().cell_count(); ++c)
+            cells_[static_cast<std::size_t>(c)] *= graph().volume(c);
         cap_.scatter(cells_);
     }
 

@@ -28,14 +28,14 @@ struct visitor {
     double volume() const { return 4.0 / 3.0 * constants<double>::pi() * radius * radius * radius; }  ///< [m^3]
 };
 
-/// The particles that may touch the cells of this rank, in the order of their ids, whichever rank owns them; and the way
-/// for values from the owners to them and back.
+/// The particles that may touch the cells of this rank, in the order of their ids, whichever rank owns them; and the
+/// way for values from the owners to them and back.
 ///
 /// A particle visits every rank whose cells' reach meets it (see cell_locator): particles larger than cells, across
 /// ranks and across periodic boundaries need nothing else.  Ids are the host's global indices; in serial the particle
 /// numbers where the host has no others.
-/// Errors: bad_value for positions that are not finite, radii that are not finite and positive, a sphere larger than the
-/// whole mesh, and duplicate ids.  Thrown on every rank.
+/// Errors: bad_value for positions that are not finite, radii that are not finite and positive, a sphere larger than
+/// the whole mesh, and duplicate ids.  Thrown on every rank.
 template <class Communicator = serial_communicator>
 class visitors {
   public:
@@ -44,9 +44,10 @@ class visitors {
         : communicator_(locator.communicator()) {
         require_particle_cloud<Cloud>();
         if constexpr (is_particle_cloud_v<Cloud>) {
-            static_assert(!Communicator::is_distributed || detail::has_particle_index_v<Cloud>,
-                          "hearth: particle_traits<Cloud> lacks  std::int64_t global_index(cloud, i), needed on several "
-                          "ranks");
+            static_assert(
+                !Communicator::is_distributed || detail::has_particle_index_v<Cloud>,
+                "hearth: particle_traits<Cloud> lacks  std::int64_t global_index(cloud, i), needed on several "
+                "ranks");
             read(cloud, locator.total_volume());
             throw_agreed(communicator_, wrong_);
             check_unique();
@@ -96,8 +97,9 @@ class visitors {
         return result;
     }
 
-    /// Takes a value of each visitor back to its owner: calls combine(owned particle, value) for every visit.  The order
-    /// of the visits of one particle depends on the ranks, so combine must not: it adds integers or takes a minimum.
+    /// Takes a value of each visitor back to its owner: calls combine(owned particle, value) for every visit.  The
+    /// order of the visits of one particle depends on the ranks, so combine must not: it adds integers or takes a
+    /// minimum.
     template <class Value, class Combine>
     void take_back(const std::vector<Value>& at_visitors, Combine&& combine) const {
         std::vector<Value> unsorted(at_visitors);
@@ -105,8 +107,9 @@ class visitors {
         if constexpr (Communicator::is_distributed) {
             std::vector<parcel<Value>> outgoing;
             for (const link& from : received_) {
-                outgoing.push_back({from.rank, {unsorted.begin() + static_cast<std::ptrdiff_t>(from.begin),
-                                                unsorted.begin() + static_cast<std::ptrdiff_t>(from.end)}});
+                outgoing.push_back({from.rank,
+                                    {unsorted.begin() + static_cast<std::ptrdiff_t>(from.begin),
+                                     unsorted.begin() + static_cast<std::ptrdiff_t>(from.end)}});
             }
             // Every rank that was visited answers, in order of rank: the parcels match those sent.
             const auto incoming = communicator_.exchange(std::move(outgoing));
