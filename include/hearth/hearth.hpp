@@ -19,6 +19,7 @@
 #include <hearth/core/csr_graph.hpp>
 #include <hearth/core/error.hpp>
 #include <hearth/core/face_mesh.hpp>
+#include <hearth/core/find_cell.hpp>
 #include <hearth/core/function.hpp>
 #include <hearth/core/graph_builder.hpp>
 #include <hearth/core/halo.hpp>

@@ -14,6 +14,7 @@
 #include <hearth/core/agree.hpp>
 #include <hearth/core/cell_graph.hpp>
 #include <hearth/core/error.hpp>
+#include <hearth/core/find_cell.hpp>
 #include <hearth/core/mesh_traits.hpp>
 #include <hearth/core/reproducible_sum.hpp>
 
@@ -68,22 +69,8 @@ class cell_locator {
     /// What the reaches of the cells of each rank cover.
     const std::vector<box>& reach_of_ranks() const { return reach_of_ranks_; }
 
-    /// Owned cell that holds a point, or -1: the host's own answer; without one, of the cells whose extents hold it that
-    /// with the nearest centre, and of equally near ones that of the lowest id.
-    index find(const point& x) const {
-        if constexpr (has_find_cell_v<Mesh>) {
-            return static_cast<index>(traits::find_cell(*mesh_, x));
-        } else {
-            index found = -1;
-            double nearest = 0;
-            for_each_near(x, 0, 0.5, [&](index cell, const point& d, const point&) {
-                const double away = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-                const bool better = away < nearest || (away == nearest && graph_->global_index(cell) < graph_->global_index(found));
-                if (found < 0 || better) found = cell, nearest = away;
-            });
-            return found;
-        }
-    }
+    /// Owned cell that holds a point, or -1: the host's own answer, or by extents where it has none.
+    index find(const point& x) const { return find_cell<Mesh>(*this, *mesh_, x); }
 
     /// Visits, at least, every owned cell whose centre is within `radius` [m] and `extents` (at most `widest`) of its
     /// own extents from x along each axis, once for each periodic image: visit(cell, centre - x [m], extent [m]).

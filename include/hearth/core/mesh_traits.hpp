@@ -26,7 +26,9 @@ using point = std::array<double, 3>;
 /// Tier 1, located (deposit)
 ///     Point  centre(mesh, cell)                                [m], anything with [0], [1], [2]
 ///     index  find_cell(mesh, point)                            optional: owned cell that holds the point, or -1
-///                                                              (default: the cell whose centre is nearest)
+///                                                              (default: of the cells whose extents hold it, that
+///                                                              with the nearest centre; give it where meshes are
+///                                                              spread over ranks and the policy is centre)
 ///     Point  extent(mesh, cell)                                [m], optional: lengths of the cell along x, y, z
 ///                                                              (default: the cube root of its volume in each)
 ///     Point  period(mesh)                                      [m], optional: lengths after which the mesh repeats
