@@ -32,14 +32,6 @@ namespace {
 constexpr double duration = 1e-4;  // [s]
 constexpr double pressure = 101325;
 
-oracle::state state_of(const per_species& amount, double temperature) {
-    const per_species y = mass_fractions(amount);
-    oracle::state s;
-    std::copy(y.begin(), y.end(), s.begin());
-    s[species_count] = temperature;
-    return s;
-}
-
 oracle::state by_hearth(const oracle::state& start, const tolerance& tol) {
     per_species y;
     std::copy_n(start.begin(), species_count, y.begin());
@@ -47,7 +39,7 @@ oracle::state by_hearth(const oracle::state& start, const tolerance& tol) {
     extents e{};
     integrate(gas, e, duration, tol);
     const per_species n = gas.amount(e);
-    return state_of(n, combine(n).temperature(gas.enthalpy(), gas.temperature()));
+    return oracle::state_of(n, combine(n).temperature(gas.enthalpy(), gas.temperature()));
 }
 
 struct ensemble {
@@ -93,11 +85,12 @@ const std::array<ensemble, kinds.size()>& ensembles() {
             const auto mixed = [&](double share) {
                 per_species n;
                 for (std::size_t k = 0; k < species_count; ++k) n[k] = burnt[k] + share * (fresh[k] - burnt[k]);
-                return state_of(n, combine(n).temperature(h));
+                return oracle::state_of(n, combine(n).temperature(h));
             };
             e[0].start.push_back(mixed(random.uniform(0, 0.1)));
-            e[1].start.push_back(state_of(fresh, random.uniform(990, 1010)));
-            e[2].start.push_back(i % 2 ? state_of(fresh, random.uniform(1200, 1800)) : mixed(random.uniform(0.3, 0.6)));
+            e[1].start.push_back(oracle::state_of(fresh, random.uniform(990, 1010)));
+            e[2].start.push_back(i % 2 ? oracle::state_of(fresh, random.uniform(1200, 1800))
+                                       : mixed(random.uniform(0.3, 0.6)));
         }
         oracle::cvode reference({});
         for (ensemble& one : e)
@@ -157,7 +150,7 @@ void inert(benchmark::State& state) {
     const std::array<double, 3> temperatures{300, 2300, 700};
     std::vector<double> p(count, pressure), t(count);
     std::array<std::vector<double>, species_count> y;
-    cell_arrays cells{count, p.data(), t.data(), {}, nullptr};
+    cell_arrays cells{count, p.data(), t.data(), {}, 1, nullptr};
     for (std::size_t k = 0; k < species_count; ++k) {
         y[k].resize(count);
         cells.mass_fraction[k] = y[k].data();

@@ -22,6 +22,14 @@ namespace hearth::combustion::oracle {
 inline constexpr std::size_t unknowns = species_count + 1;
 using state = std::array<double, unknowns>;
 
+inline state state_of(const per_species& amount, double temperature) {
+    const per_species y = mass_fractions(amount);
+    state s;
+    std::copy(y.begin(), y.end(), s.begin());
+    s[species_count] = temperature;
+    return s;
+}
+
 /// A reactor at constant pressure in the usual form, dY/dt and dT/dt, with its analytic Jacobian.  It shares the rates
 /// with the library and nothing else: eight unknowns instead of three extents, the temperature integrated instead of
 /// found from the enthalpy.

@@ -97,6 +97,7 @@ TEST_CASE("transport: any mixture at any temperature and pressure is finite, bou
         CHECK(one.viscosity > 0.75 * *std::min_element(mu.begin(), mu.end()));
         CHECK(one.viscosity < 1.25 * *std::max_element(mu.begin(), mu.end()));
         CHECK(one.conductivity > 0);
+        CHECK(one.viscosity == viscosity(t, x));
         CHECK(two.viscosity == one.viscosity);
         CHECK(two.conductivity == one.conductivity);
         for (std::size_t k = 0; k < species_count; ++k) {

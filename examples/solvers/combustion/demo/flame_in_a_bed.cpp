@@ -40,7 +40,7 @@ struct parcel {
     per_species amount() const { return amounts(y); }
     double density() const { return pressure / (gas_constant * temperature * sum(amount())); }
     cell_arrays cell(bool mixing) {
-        cell_arrays c{1, &pressure, &temperature, {}, mixing ? &mixing_time : nullptr};
+        cell_arrays c{1, &pressure, &temperature, {}, 1, mixing ? &mixing_time : nullptr};
         for (std::size_t k = 0; k < species_count; ++k) c.mass_fraction[k] = &y[k];
         return c;
     }

@@ -40,7 +40,7 @@ void check(const chemistry& settings, double dt, const cell_arrays& cells) {
                 "finite and > 0 [Pa]");
         double whole = 0;
         for (std::size_t k = 0; k < species_count; ++k) {
-            const double y = cells.mass_fraction[k][i];
+            const double y = cells.mass_fraction[k][i * cells.stride];
             if (!(y >= -negative_allowed))
                 throw bad_value(std::string("mass fraction of ") + species_names[k] + " in cell",
                                 static_cast<std::int64_t>(i), y, ">= -1e-9 [-]");
@@ -68,7 +68,7 @@ double highest_without(const Function& f) {
 class reactivity {
   public:
     reactivity(const chemistry& settings, double dt, const cell_arrays& cells) {
-        const auto [lowest, highest] = std::minmax_element(cells.pressure, cells.pressure + cells.count);
+        const auto pressures = std::minmax_element(cells.pressure, cells.pressure + cells.count);
         if (settings.kind != chemistry::model::finite_rate) {
             frozen_below_ = settings.ignition_temperature;
             inert_products_below_ = settings.kind == chemistry::model::equilibrium ? settings.ignition_temperature
@@ -79,7 +79,7 @@ class reactivity {
         trace_ = accuracy / molar_mass[CO2];  // a kilogram holds at least as many moles as one of CO2
         const jones_lindstedt& m = settings.mechanism;
         frozen_below_ = highest_without([&](double t) {
-            const rate_constants k = rate_constants_at(m, t, *highest);
+            const rate_constants k = rate_constants_at(m, t, *pressures.second);
             const bool b = m.variant == jones_lindstedt::hydrogen_step::b;
             const double third = b ? 1 + k.hydrogen_back * std::pow(m.regularisation, -0.75)
                                    : (1 + k.hydrogen_back / std::sqrt(m.regularisation)) / m.water_seed;
@@ -88,7 +88,7 @@ class reactivity {
         });
         // Products dissociate into at most x of H2 or CO, with x sqrt(x/2) = 1/K.
         inert_products_below_ = highest_without([&](double t) {
-            const rate_constants k = rate_constants_at(m, t, *lowest);
+            const rate_constants k = rate_constants_at(m, t, *pressures.first);
             return std::pow(std::sqrt(2.0) * k.hydrogen_back * std::max(1.0, k.shift_back), 2.0 / 3) - accuracy;
         });
     }
@@ -96,7 +96,7 @@ class reactivity {
     bool operator()(const cell_arrays& cells, std::size_t i) const {
         const double t = cells.temperature[i];
         if (t < frozen_below_) return false;
-        const auto amount = [&](species k) { return cells.mass_fraction[k][i] / molar_mass[k]; };
+        const auto amount = [&](species k) { return cells.mass_fraction[k][i * cells.stride] / molar_mass[k]; };
         const double products = amount(H2O) + amount(CO2);
         if (amount(CH4) + amount(CO) + amount(H2) > trace_) return amount(O2) + products > trace_;
         return t >= inert_products_below_ && products > trace_;
@@ -147,7 +147,8 @@ chemistry_report run(const chemistry& given, double dt, const cell_arrays& cells
         if (!can_react(cells, i)) continue;
         ++report.reacting;
         per_species before;
-        for (std::size_t k = 0; k < species_count; ++k) before[k] = std::max(cells.mass_fraction[k][i], 0.0);
+        for (std::size_t k = 0; k < species_count; ++k)
+            before[k] = std::max(cells.mass_fraction[k][i * cells.stride], 0.0);
         const per_species n = amounts(before);
         const double temperature = cells.temperature[i];
         integration done;
@@ -182,8 +183,8 @@ chemistry_report advance(const chemistry& settings, double dt, const cell_arrays
     check(settings, dt, cells);
     return run(settings, dt, cells, [&](std::size_t i, const per_species&, const mixture_state& after) {
         for (std::size_t k = 0; k < species_count; ++k) {
-            const double residue = std::min(cells.mass_fraction[k][i], 0.0);
-            cells.mass_fraction[k][i] = after.amount[k] * molar_mass[k] + residue;
+            const double residue = std::min(cells.mass_fraction[k][i * cells.stride], 0.0);
+            cells.mass_fraction[k][i * cells.stride] = after.amount[k] * molar_mass[k] + residue;
         }
         cells.temperature[i] = after.temperature;
     });
@@ -192,9 +193,11 @@ chemistry_report advance(const chemistry& settings, double dt, const cell_arrays
 chemistry_report mean_rates(const chemistry& settings, double dt, const cell_arrays& cells,
                             const std::array<double*, species_count>& rate) {
     check(settings, dt, cells);
-    for (std::size_t k = 0; k < species_count; ++k) std::fill_n(rate[k], cells.count, 0.0);
+    for (std::size_t k = 0; k < species_count; ++k)
+        for (std::size_t i = 0; i < cells.count; ++i) rate[k][i * cells.stride] = 0;
     return run(settings, dt, cells, [&](std::size_t i, const per_species& before, const mixture_state& after) {
-        for (std::size_t k = 0; k < species_count; ++k) rate[k][i] = (after.amount[k] * molar_mass[k] - before[k]) / dt;
+        for (std::size_t k = 0; k < species_count; ++k)
+            rate[k][i * cells.stride] = (after.amount[k] * molar_mass[k] - before[k]) / dt;
     });
 }
 

@@ -30,7 +30,8 @@ struct cell_arrays {
     std::size_t count = 0;
     const double* pressure = nullptr;                    ///< [Pa]
     double* temperature = nullptr;                       ///< [K]
-    std::array<double*, species_count> mass_fraction{};  ///< [-]
+    std::array<double*, species_count> mass_fraction{};  ///< of the first cell [-]
+    std::size_t stride = 1;                              ///< from cell to cell, of the mass fractions (and their rates)
     const double* mixing_time = nullptr;                 ///< see mixing.hpp; none: mixed at once [s]
 };
 

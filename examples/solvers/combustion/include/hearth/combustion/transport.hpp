@@ -35,13 +35,16 @@ constexpr double cube_root(double x) {
 struct molecule {
     double diameter, depth, depth_power, polarity;
 };
-inline constexpr std::array<molecule, species_count> molecules{{{3.746, 141.40, 2.088612, 0},
-                                                                {3.458, 107.40, 2.004895, 0},
-                                                                {3.621, 97.53, 1.976353, 0},
-                                                                {3.650, 98.10, 1.978066, 0},
-                                                                {3.763, 244.00, 2.265168, 0},
-                                                                {2.920, 38.00, 1.717817, 0},
-                                                                {2.605, 572.40, 2.571463, 1.4811}}};
+// clang-format off
+inline constexpr std::array<molecule, species_count> molecules{{
+    {3.746, 141.40, 2.088612, 0},
+    {3.458, 107.40, 2.004895, 0},
+    {3.621, 97.53, 1.976353, 0},
+    {3.650, 98.10, 1.978066, 0},
+    {3.763, 244.00, 2.265168, 0},
+    {2.920, 38.00, 1.717817, 0},
+    {2.605, 572.40, 2.571463, 1.4811}}};
+// clang-format on
 
 /// Diffusion volumes: Fuller, Schettler & Giddings; Poling, Prausnitz & O'Connell, 5th ed., table 11-1.  [cm^3/mol]
 inline constexpr per_species diffusion_volume{25.14, 16.3, 18.5, 18.0, 26.9, 6.12, 13.1};
@@ -94,36 +97,56 @@ inline per_species viscosities(double temperature) {
     return mu;
 }
 
+namespace detail {
+
+/// How much each gas of a mixture is hindered by all: Wilke's sum over j of x_j phi_ij, 1 in a pure gas [-].
+inline per_species crowding(const per_species& mu, const per_species& x) {
+    per_species r, sum{};  // r: sqrt(mu) M^-1/4
+    for (std::size_t k = 0; k < species_count; ++k) r[k] = std::sqrt(mu[k]) / fourth_root_of_mass[k];
+    for (std::size_t i = 0; i < species_count; ++i)
+        for (std::size_t j = 0; j < species_count; ++j) {
+            const double q = 1 + r[i] / r[j];
+            sum[i] += x[j] * q * q * wilke[i][j];
+        }
+    return sum;
+}
+
+}  // namespace detail
+
+/// Viscosity of a mixture at a temperature [K] and mole fractions [-]; all positive, not checked.  [Pa s]
+/// Wilke, J. Chem. Phys. 18 (1950) 517, doi:10.1063/1.1747673.
+inline double viscosity(double temperature, const per_species& x) {
+    const per_species mu = viscosities(temperature), crowd = detail::crowding(mu, x);
+    double sum = 0;
+    for (std::size_t k = 0; k < species_count; ++k) sum += x[k] * mu[k] / crowd[k];
+    return sum;
+}
+
 /// Transport of a mixture at a temperature [K], a pressure [Pa] and mole fractions [-]; all positive, not checked.
-/// Viscosity: Wilke, J. Chem. Phys. 18 (1950) 517, doi:10.1063/1.1747673.
+/// Viscosity: as above.
 /// Conductivity: Stiel & Thodos, AIChE J. 10 (1964) 26, doi:10.1002/aic.690100114, (mu/M) (1.15 cv + 2.03 R), for
 /// nonpolar gases; for water (mu/M) 1.37 cv, our fit to steam tables from 400 to 1000 K; mixed with Wilke's weights.
 /// Diffusivity: Fuller, Schettler & Giddings, Ind. Eng. Chem. 58(5) (1966) 18, doi:10.1021/ie50677a007, for pairs, and
 /// 1/D_i = sum_{j != i} x_j/D_ij + x_i/(1 - Y_i) sum_{j != i} Y_j/D_ij in the mixture, which is D_12 in a pair (Kee,
-/// Coltrin & Glarborg, Chemically Reacting Flow, 2003, sec. 3.5). Against tables from 300 to 1000 K: conductivity
-/// within 7 %, diffusivity of pairs within 10 %.
+/// Coltrin & Glarborg, Chemically Reacting Flow, 2003, sec. 3.5).
+/// Against tables from 300 to 1000 K: conductivity within 7 %, diffusivity of pairs within 10 %.
 inline transport_properties transport(double temperature, double pressure, const per_species& x) {
-    const per_species mu = viscosities(temperature);
-    per_species r;  // sqrt(mu) M^-1/4
-    for (std::size_t k = 0; k < species_count; ++k) r[k] = std::sqrt(mu[k]) / detail::fourth_root_of_mass[k];
-
+    const per_species mu = viscosities(temperature), crowd = detail::crowding(mu, x);
+    const double root = std::sqrt(temperature), t_1_75 = temperature * root * std::sqrt(root);
     transport_properties out{0, 0, {}};
-    const double t_1_75 = temperature * std::sqrt(temperature) * std::sqrt(std::sqrt(temperature));
     for (std::size_t i = 0; i < species_count; ++i) {
-        double crowd = 0, by_moles = 0, by_mass = 0, others = 0;
+        const double cv = thermo_table[i].heat_capacity(temperature) - gas_constant;
+        const double lambda = mu[i] / molar_mass[i] * (i == H2O ? 1.37 * cv : 1.15 * cv + 2.03 * gas_constant);
+        out.viscosity += x[i] * mu[i] / crowd[i];
+        out.conductivity += x[i] * lambda / crowd[i];
+        double by_moles = 0, by_mass = 0, others = 0;
         for (std::size_t j = 0; j < species_count; ++j) {
-            const double q = 1 + r[i] / r[j];
-            crowd += x[j] * q * q * detail::wilke[i][j];
             if (j == i) continue;
             const double present = x[j] + 1e-12;  // so that a pure gas has the limit of a nearly pure one
             by_moles += present / detail::fuller[i][j];
             by_mass += present * molar_mass[j] / detail::fuller[i][j];
             others += present * molar_mass[j];
         }
-        const double cv = thermo_table[i].heat_capacity(temperature) - gas_constant;
-        const double lambda = mu[i] / molar_mass[i] * (i == H2O ? 1.37 * cv : 1.15 * cv + 2.03 * gas_constant);
-        out.viscosity += x[i] * mu[i] / crowd;
-        out.conductivity += x[i] * lambda / crowd;
         out.diffusivity[i] = t_1_75 / pressure / (by_moles + x[i] * by_mass / others);
     }
     return out;
