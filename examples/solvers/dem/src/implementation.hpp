@@ -44,7 +44,7 @@ struct bed::implementation {
     mutable near_state near;
     void build_near(double reach) const;
 
-    double reach() const { return settings.skin * 2 * largest_radius; }
+    double reach() const { return settings.skin * 2 * smallest_radius; }
     detail::history remember() const;
     void rebuild();
     /// Keeps the particles in `order` and sorts them into cells; their springs stay with them.

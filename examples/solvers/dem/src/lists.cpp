@@ -66,7 +66,7 @@ void bed::implementation::rebuild() {
 void bed::implementation::rebuild(const std::vector<index>& kept) {
     const detail::history past = remember();
     largest_radius = 0;
-    smallest_radius = std::numeric_limits<double>::max();
+    smallest_radius = kept.empty() ? 0.0 : std::numeric_limits<double>::max();
     built.resize(kept.size());
     for (std::size_t k = 0; k < kept.size(); ++k) {
         built[k] = particles.spheres[static_cast<std::size_t>(kept[k])];

@@ -31,7 +31,7 @@ struct bed_settings {
     vector3 gravity{0, 0, -9.81};        ///< [m/s^2]
     material body{};                     ///< of all particles
     contact_settings contact{};          ///< between particles
-    double skin = 0.1;                   ///< of the contact list, over the largest diameter [-], > 0
+    double skin = 0.1;                   ///< of the contact list, over the smallest diameter [-], > 0
     double deepest_overlap = 0.3;        ///< over the smaller radius [-]; more is refused as an error, never exploded
 };
 
@@ -167,13 +167,27 @@ template <class Visit>
 void bed::for_each_contact(Visit&& visit) const {
     const sphere* const all = spheres();
     const double stiffness = law().normal_stiffness;
-    for (const auto& [i, j] : candidate_pairs()) {
-        const vector3 d = all[i].centre - all[j].centre;
-        const double ri = all[i].radius, rj = all[j].radius, sum = ri + rj, squared = dot(d, d);
-        if (squared >= sum * sum) continue;
-        const double distance = std::sqrt(squared), overlap = sum - distance;
-        const double force = stiffness * std::sqrt(ri * rj / sum * overlap) * overlap;
-        visit(i, j, force, overlap, all[i].centre - ((ri - overlap * rj / sum) / distance) * d);
+    const std::vector<pair>& pairs = candidate_pairs();
+    constexpr std::size_t chunk = 512;
+    std::uint32_t touching[chunk];
+    for (std::size_t begin = 0; begin < pairs.size(); begin += chunk) {
+        const std::size_t end = begin + chunk < pairs.size() ? begin + chunk : pairs.size();
+        std::size_t count = 0;
+        for (std::size_t p = begin; p < end; ++p) {  // without a branch: nobody can foretell who touches
+            const sphere &a = all[pairs[p].i], &b = all[pairs[p].j];
+            const vector3 d = a.centre - b.centre;
+            const double sum = a.radius + b.radius;
+            touching[count] = static_cast<std::uint32_t>(p);
+            count += dot(d, d) < sum * sum ? 1u : 0u;
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto [i, j] = pairs[touching[k]];
+            const vector3 d = all[i].centre - all[j].centre;
+            const double ri = all[i].radius, rj = all[j].radius, inverse_sum = 1 / (ri + rj), distance = norm(d);
+            const double overlap = ri + rj - distance;
+            const double force = stiffness * std::sqrt(ri * rj * inverse_sum * overlap) * overlap;
+            visit(i, j, force, overlap, all[i].centre - ((ri - overlap * rj * inverse_sum) / distance) * d);
+        }
     }
 }
 

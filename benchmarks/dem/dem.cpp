@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// A settled bed of spheres of 16 to 19.5 mm in a cylinder of 0.85 m, Hertz with history, skin of a tenth of a diameter: time
+// per particle and step of the motion, with lists rebuilt every ten steps, with conduction, and of radiation to 2.5 diameters.
+// And the error of a bounce over the steps spent on it.
+#include <hearth/dem/thermal_bed.hpp>
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include <hearth/closure/feng_han.hpp>
+#include <hearth/closure/zhang.hpp>
+#include <hearth/scene/scene.hpp>
+#include <hearth/transfer/conduction.hpp>
+#include <hearth/transfer/radiation.hpp>
+
+#include "support/counters.hpp"
+#include "support/random.hpp"
+
+namespace {
+
+using namespace hearth::dem;
+
+bed_settings settings() {
+    bed_settings s;
+    s.step = 2.7e-5;
+    s.contact.damping = 0.3;
+    return s;
+}
+
+bed empty_cylinder() {
+    bed b(settings());
+    wall w;
+    w.contact = b.settings().contact;
+    w.facets = shape::plane({0, 0, 0}, {0, 0, 1});
+    b.add_wall(w);
+    w.facets = shape::cylinder({0, 0, -1}, {0, 0, 20}, 0.425);
+    b.add_wall(w);
+    return b;
+}
+
+/// 20 000 spheres, settled from a loose lattice.
+bed layer() {
+    hearth_test::seeded random(1);
+    std::vector<particle> balls;
+    const double a = 0.0198;
+    for (int k = 0; balls.size() < 20000; ++k) {
+        for (int j = -30; j <= 30; ++j) {
+            for (int i = -30; i <= 30 && balls.size() < 20000; ++i) {
+                particle p;
+                p.position = {(i + 0.5 * (k & 1)) * a, (j + 0.5 * (k & 1)) * a, 0.0105 + 0.72 * k * a};
+                if (std::hypot(p.position.x, p.position.y) > 0.414) continue;
+                p.velocity = {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0};
+                p.radius = 0.5 * random.uniform(0.016, 0.0195);
+                p.density = 3580;
+                balls.push_back(p);
+            }
+        }
+    }
+    bed b = empty_cylinder();
+    b.insert(balls);
+    b.advance(9000);
+    return b;
+}
+
+/// So many spheres: layers on top of one another, settled again where they meet.
+bed& settled(int count) {
+    static std::map<int, std::unique_ptr<bed>> beds;
+    std::unique_ptr<bed>& b = beds[count];
+    if (b) return *b;
+    if (count == 20000) {
+        b = std::make_unique<bed>(layer());
+        return *b;
+    }
+    const bed& one = settled(20000);
+    double height = 0;
+    for (std::int32_t i = 0; i < one.size(); ++i) height = std::fmax(height, one.spheres()[i].centre.z);
+    std::vector<particle> balls;
+    for (int k = 0; k < count / 20000; ++k) {
+        for (std::int32_t i = 0; i < one.size(); ++i) {
+            particle p;
+            p.position = one.spheres()[i].centre + vector3{0, 0, k * (height + 0.002)};
+            p.radius = one.spheres()[i].radius;
+            p.density = 3580;
+            balls.push_back(p);
+        }
+    }
+    b = std::make_unique<bed>(empty_cylinder());
+    b->insert(balls);
+    b->advance(2500);
+    return *b;
+}
+
+void move(benchmark::State& state, int count, bool rebuild) {
+    bed& b = settled(count);
+    b.advance(10);
+    for (auto _ : state) {
+        if (rebuild) b.expire_lists();
+        b.advance(10);
+    }
+    bench::set_items(state, 10.0 * b.size());
+    state.counters["bytes_per_particle"] = static_cast<double>(b.memory()) / b.size();
+}
+
+void conduct(benchmark::State& state, int count) {
+    bed& b = settled(count);
+    thermal_bed warm(b, {800, 4, 1});
+    const hearth::scene conducts{hearth::conduction{hearth::closure::zhang::constriction{}}};
+    auto links = conducts.links(warm, warm);
+    std::vector<double> heat(static_cast<std::size_t>(b.size()));
+    for (auto _ : state) {
+        b.advance(1);
+        conducts.links(warm, warm, hearth::no_gas{}, links);
+        std::fill(heat.begin(), heat.end(), 0.0);
+        hearth::accumulate(links, b.temperatures(), [&](int patch) { return b.patch_temperature(patch); }, heat);
+    }
+    bench::set_items(state, b.size());
+}
+
+enum class part { rates, links, list };
+
+void radiate(benchmark::State& state, int count, part what) {
+    bed& b = settled(count);
+    thermal_bed warm(b, {800, 4, 1});
+    const hearth::scene shines{hearth::radiation{hearth::closure::feng_han::monte_carlo_fit{}}};
+    auto links = shines.links(warm, warm);
+    std::vector<double> heat(static_cast<std::size_t>(b.size()));
+    const std::vector<char> saved = what == part::list ? b.state() : std::vector<char>();
+    for (auto _ : state) {
+        if (what == part::rates) {
+            std::fill(heat.begin(), heat.end(), 0.0);
+            hearth::accumulate(links, b.temperatures(), [&](int patch) { return b.patch_temperature(patch); }, heat);
+        } else if (what == part::links) {
+            shines.links(warm, warm, hearth::no_gas{}, links);
+        } else {
+            state.PauseTiming();
+            b.restore(saved);  // which knows of no list
+            state.ResumeTiming();
+            benchmark::DoNotOptimize(b.near_pairs(2.5).second.data());
+        }
+    }
+    bench::set_items(state, b.size());
+    state.counters["neighbours"] = 2.0 * static_cast<double>(links.pairs.size()) / b.size();
+}
+
+/// Error of the coefficient of restitution.
+void bounce(benchmark::State& state, int steps_per_contact) {
+    double error = 0;
+    for (auto _ : state) {
+        bed_settings s;
+        s.gravity = {};
+        s.contact.damping = 0.12;
+        bed b(s);
+        particle p;
+        p.radius = 0.01;
+        p.density = 3580;
+        p.position = {-0.01, 0, 0};
+        p.velocity = {0.5, 0, 0};
+        particle q = p;
+        q.position.x = 0.01 + 1e-9;
+        q.velocity.x = -0.5;
+        b.insert({p, q});
+        bed_settings fine = s;
+        fine.step = b.advised_step(1.0, steps_per_contact);
+        bed c(fine);
+        c.insert({p, q});
+        c.advance(2 * steps_per_contact);
+        error = std::fabs(std::fabs(c.motions()[0].velocity.x) / 0.5 - restitution_of_damping(0.12));
+    }
+    bench::set_error(state, error);
+}
+
+const bool registered = [] {
+    using benchmark::RegisterBenchmark;
+    for (const int count : {20000, 200000}) {
+        const std::string size = "/particles:" + std::to_string(count);
+        RegisterBenchmark(("motion of a settled bed/settled" + size).c_str(), move, count, false)->Unit(benchmark::kMillisecond);
+        RegisterBenchmark(("motion of a settled bed/lists every 10 steps" + size).c_str(), move, count, true)->Unit(benchmark::kMillisecond);
+        RegisterBenchmark(("motion of a settled bed/with conduction" + size).c_str(), conduct, count)->Unit(benchmark::kMillisecond);
+        RegisterBenchmark(("radiation of a settled bed/rates" + size).c_str(), radiate, count, part::rates)->Unit(benchmark::kMillisecond);
+        RegisterBenchmark(("radiation of a settled bed/links" + size).c_str(), radiate, count, part::links)->Unit(benchmark::kMillisecond);
+        RegisterBenchmark(("radiation of a settled bed/list" + size).c_str(), radiate, count, part::list)->Unit(benchmark::kMillisecond);
+    }
+    for (const int steps : {10, 20, 50, 100, 1000, 10000}) {
+        RegisterBenchmark(("bounce/ours/steps:" + std::to_string(steps)).c_str(), bounce, steps)->Unit(benchmark::kMicrosecond);
+    }
+    return true;
+}();
+
+}  // namespace
