@@ -113,7 +113,7 @@ double gibbs(const per_species& n, double temperature, double pressure) {
 
 void check_elements(const per_species& before, const per_species& now) {
     const per_element had = element_amounts(before), has = element_amounts(now);
-    const double all = had[C] + had[H] + had[O] + had[N];
+    const double all = had[carbon] + had[hydrogen] + had[oxygen] + had[nitrogen];
     // Sums of seven terms with four roundings each.
     for (std::size_t e = 0; e < element_count; ++e) CHECK(std::fabs(has[e] - had[e]) <= 30 * 2.2e-16 * all);
 }

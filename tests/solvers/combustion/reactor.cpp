@@ -2,12 +2,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
 
 #include <hearth/combustion/equilibrium.hpp>
 #include <hearth/combustion/reactor.hpp>
+#include <hearth/core/error.hpp>
 
 #include "solvers/combustion/states.hpp"
 
@@ -186,7 +189,7 @@ TEST_CASE("reactor: what cannot react stays bit for bit") {
         const per_species n = amounts_from_moles(parts);
         reactor gas({}, n, 2300, 101325);
         extents e{};
-        integrate(gas, e, 1e3, {1e-3, 1e-6});
+        CHECK(integrate(gas, e, 1e3, {1e-3, 1e-6}).finished);
         CHECK(gas.amount(e) == n);
     }
 }
@@ -199,7 +202,7 @@ TEST_CASE("reactor: perfectly stirred, it keeps its feed where exchange is fast 
         if (ignited) e = {n[CH4] * 0.99, 4 * n[CH4] * 0.99, n[CH4] * 0.99};
         CHECK(integrate(gas, e, 1e4 * residence_time, {1e-6, 1e-9}).finished);
         const per_species reached = gas.amount(e);
-        integrate(gas, e, residence_time, {1e-6, 1e-9});
+        CHECK(integrate(gas, e, residence_time, {1e-6, 1e-9}).finished);
         CHECK(distance(gas.amount(e), reached) < 1e-9);  // stationary
         return state_at(gas, e).temperature;
     };
@@ -228,4 +231,45 @@ TEST_CASE("reactor: the same input gives the same bits") {
     const mixture_state a = after(1e-3, n, 1234.5, 1e5, {1e-3, 1e-6}), b = after(1e-3, n, 1234.5, 1e5, {1e-3, 1e-6});
     CHECK(a.amount == b.amount);
     CHECK(a.temperature == b.temperature);
+}
+
+TEST_CASE("reactor: bad input is refused by name") {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto place = [](auto&& call) -> std::string {
+        try {
+            call();
+        } catch (const hearth::bad_value& error) {
+            return error.place;
+        }
+        return "accepted";
+    };
+    const per_species good = methane_air(1.0);
+    per_species negative = good, broken = good;
+    negative[CO] = -1e-3;
+    broken[H2] = nan;
+    for (const per_species& n : {negative, broken})
+        CHECK(place([&] { reactor({}, n, 1500, 1e5); }) == "amount of species");
+    CHECK(place([&] { reactor({}, per_species{}, 1500, 1e5); }) == "amount of mixture");
+    for (const double bad : {nan, -1.0, 0.0}) {
+        CHECK(place([&] { reactor({}, good, bad, 1e5); }) == "temperature");
+        CHECK(place([&] { reactor({}, good, 1500, bad); }) == "pressure");
+    }
+    CHECK(place([&] { reactor({}, good, 1500, 1e5, -1); }) == "exchange_rate");
+    reactor gas({}, good, 1500, 1e5);
+    extents e{};
+    CHECK(place([&] { (void)integrate(gas, e, nan, {}); }) == "duration");
+    CHECK(place([&] { (void)integrate(gas, e, 1e-4, {0, 1e-6}); }) == "relative tolerance");
+    CHECK(place([&] { (void)integrate(gas, e, 1e-4, {1e-3, nan}); }) == "absolute tolerance");
+    CHECK(e == extents{});
+
+    for (const per_species& n : {negative, broken}) {
+        CHECK(place([&] { burn(n, 0); }) == "amount of species");
+        CHECK(place([&] { equilibrium(n, 0, 1e5); }) == "amount of species");
+        CHECK(place([&] { equilibrium_at(n, 1500, 1e5); }) == "amount of species");
+    }
+    CHECK(place([&] { equilibrium(good, nan, 1e5); }) == "enthalpy");
+    CHECK(place([&] { equilibrium(good, -1e8, 1e5); }) == "enthalpy");
+    CHECK(place([&] { burn(good, nan); }) == "enthalpy");
+    CHECK(place([&] { equilibrium(good, 0, -1e5); }) == "pressure");
+    CHECK(place([&] { equilibrium_at(good, 100, 1e5); }) == "temperature");
 }

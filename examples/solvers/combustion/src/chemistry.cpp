@@ -9,46 +9,36 @@
 #include <hearth/combustion/thermo.hpp>
 #include <hearth/core/error.hpp>
 
+#include "require.hpp"
+
 namespace hearth::combustion {
 namespace {
 
 constexpr double negative_allowed = 1e-9;
 constexpr double sum_allowed = 1e-6;
 
-void require(bool holds, const char* place, std::size_t cell, double value, const char* allowed) {
-    if (!holds) throw bad_value(place, static_cast<std::int64_t>(cell), value, allowed);
-}
-
 void check(const chemistry& settings, double dt, const cell_arrays& cells) {
-    const auto setting = [](bool holds, const char* name, double value, const char* allowed) {
-        if (!holds) throw bad_value(name, bad_value::no_index, value, allowed);
-    };
-    setting(dt >= 0 && std::isfinite(dt), "dt", dt, "finite and >= 0 [s]");
-    const jones_lindstedt& m = settings.mechanism;
-    setting(m.regularisation > 0 && m.regularisation < 1, "regularisation", m.regularisation, "in (0, 1) [-]");
-    setting(m.water_seed > 0 && m.water_seed < 1, "water_seed", m.water_seed, "in (0, 1) [-]");
-    setting(m.oxygen_seed > 0 && m.oxygen_seed < 1, "oxygen_seed", m.oxygen_seed, "in (0, 1) [-]");
-    const tolerance& tol = settings.accuracy;
-    setting(tol.relative >= 1e-13 && tol.relative < 1, "relative tolerance", tol.relative, "in [1e-13, 1) [-]");
-    setting(tol.absolute >= 1e-16 && tol.absolute < 1, "absolute tolerance", tol.absolute, "in [1e-16, 1) [-]");
-    setting(settings.ignition_temperature >= 0, "ignition_temperature", settings.ignition_temperature, ">= 0 [K]");
+    require_duration("dt", dt);
+    require_mechanism(settings.mechanism);
+    require_tolerance(settings.accuracy);
+    require(settings.ignition_temperature >= 0, "ignition_temperature", settings.ignition_temperature, ">= 0 [K]");
 
     for (std::size_t i = 0; i < cells.count; ++i) {
-        require(temperature_limits().contains(cells.temperature[i]), "temperature of cell", i, cells.temperature[i],
-                "200 to 6000 [K]");
-        require(cells.pressure[i] > 0 && std::isfinite(cells.pressure[i]), "pressure of cell", i, cells.pressure[i],
-                "finite and > 0 [Pa]");
+        const auto cell = static_cast<std::int64_t>(i);
+        const double t = cells.temperature[i], p = cells.pressure[i];
+        require(temperature_limits().contains(t), "temperature of cell", t, "200 to 6000 [K]", cell);
+        require(p > 0 && std::isfinite(p), "pressure of cell", p, "finite and > 0 [Pa]", cell);
         double whole = 0;
         for (std::size_t k = 0; k < species_count; ++k) {
             const double y = cells.mass_fraction[k][i * cells.stride];
             if (!(y >= -negative_allowed))
-                throw bad_value(std::string("mass fraction of ") + species_names[k] + " in cell",
-                                static_cast<std::int64_t>(i), y, ">= -1e-9 [-]");
+                throw bad_value(std::string("mass fraction of ") + species_names[k] + " in cell", cell, y,
+                                ">= -1e-9 [-]");
             whole += y;
         }
-        require(std::fabs(whole - 1) <= sum_allowed, "sum of mass fractions in cell", i, whole, "1 within 1e-6 [-]");
+        require(std::fabs(whole - 1) <= sum_allowed, "sum of mass fractions in cell", whole, "1 within 1e-6 [-]", cell);
         if (cells.mixing_time)
-            require(cells.mixing_time[i] >= 0, "mixing time of cell", i, cells.mixing_time[i], ">= 0 [s]");
+            require(cells.mixing_time[i] >= 0, "mixing time of cell", cells.mixing_time[i], ">= 0 [s]", cell);
     }
 }
 
@@ -165,7 +155,7 @@ chemistry_report run(const chemistry& given, double dt, const cell_arrays& cells
         if (after.temperature > nasa7::limits().hi) ++report.extrapolated;
 
         const per_element had = element_amounts(n), has = element_amounts(after.amount);
-        const double all = had[C] + had[H] + had[O] + had[N];
+        const double all = had[carbon] + had[hydrogen] + had[oxygen] + had[nitrogen];
         for (std::size_t e = 0; e < element_count; ++e)
             report.element_imbalance = std::max(report.element_imbalance, std::fabs(has[e] - had[e]) / all);
         const nasa7 mixture = combine(n);

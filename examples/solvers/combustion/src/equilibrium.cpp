@@ -6,6 +6,8 @@
 #include <hearth/combustion/jones_lindstedt.hpp>
 #include <hearth/combustion/thermo.hpp>
 
+#include "require.hpp"
+
 namespace hearth::combustion {
 namespace {
 
@@ -41,17 +43,19 @@ double rising_root(const Function& f, double lo, double hi, double guess, double
 class isothermal {
   public:
     isothermal(const per_element& elements, double pressure)
-        : carbon_(elements[C]),
-          hydrogen_(elements[H]),
-          oxygen_(elements[O]),
-          nitrogen_(0.5 * elements[N]),
+        : carbon_(elements[carbon]),
+          hydrogen_(elements[hydrogen]),
+          oxygen_(elements[oxygen]),
+          nitrogen_(0.5 * elements[nitrogen]),
           pressure_(pressure / standard_pressure) {}
 
     /// Nothing can react without oxygen, or with nothing but oxygen.
     bool inert() const { return !(oxygen_ > 0) || !(carbon_ + hydrogen_ > 0); }
 
     per_species at(double temperature) {
-        const auto ln_k = [&](step s) { return -step_thermo[s].gibbs(temperature) / (gas_constant * temperature); };
+        const auto ln_k = [&](reaction_step s) {
+            return -step_thermo[s].gibbs(temperature) / (gas_constant * temperature);
+        };
         beta_over_z_ = ln_k(hydrogen_oxidation);
         alpha_over_z_ = ln_k(hydrogen_oxidation) + ln_k(water_gas_shift);
         methane_ = -ln_k(reforming);
@@ -158,9 +162,19 @@ class isothermal {
     bool started_ = false;
 };
 
+/// Where the equilibrium constants stay within the range of a double, and beyond any flame [K].
+constexpr double coldest = 150, hottest = 15000;
+
+mixture_state with_enthalpy(const per_species& n, double enthalpy, double temperature_guess) {
+    const double t = combine(n).temperature(enthalpy, temperature_guess);
+    require(t > 0 && std::isfinite(t), "enthalpy", enthalpy, "that of a positive temperature [J/kg]");
+    return {n, t};
+}
+
 }  // namespace
 
 mixture_state burn(const per_species& amount, double enthalpy) {
+    require_mixture(amount);
     per_species n = amount;
     const double demand = 2 * n[CH4] + 0.5 * (n[CO] + n[H2]);
     const double share = demand > n[O2] ? n[O2] / demand : 1.0;
@@ -171,17 +185,23 @@ mixture_state burn(const per_species& amount, double enthalpy) {
     n[O2] = share < 1 ? 0.0 : n[O2] - demand;
     n[CO2] += ch4 + co;
     n[H2O] += 2 * ch4 + h2;
-    return {n, combine(n).temperature(enthalpy)};
+    return with_enthalpy(n, enthalpy, 1500);
 }
 
 per_species equilibrium_at(const per_species& amount, double temperature, double pressure) {
+    require_mixture(amount);
+    require_pressure(pressure);
+    require(coldest <= temperature && temperature <= hottest, "temperature", temperature, "150 to 15000 [K]");
     isothermal gas(element_amounts(amount), pressure);
     return gas.inert() ? amount : gas.at(temperature);
 }
 
 mixture_state equilibrium(const per_species& amount, double enthalpy, double pressure, double temperature_guess) {
+    require_mixture(amount);
+    require_pressure(pressure);
+    require(std::isfinite(enthalpy), "enthalpy", enthalpy, "finite [J/kg]");
     isothermal gas(element_amounts(amount), pressure);
-    if (gas.inert()) return {amount, combine(amount).temperature(enthalpy)};
+    if (gas.inert()) return with_enthalpy(amount, enthalpy, temperature_guess);
     double previous_t = 0, previous_residual = 0;
     const auto excess = [&](double t) -> value_and_slope {
         const nasa7 mixture = combine(gas.at(t));
@@ -192,10 +212,8 @@ mixture_state equilibrium(const per_species& amount, double enthalpy, double pre
         previous_residual = residual;
         return {residual, slope};
     };
-    // From where the constants stay within the range of a double to beyond any flame; both ends extrapolate.
-    const double t = rising_root(excess, 150.0, 15000.0, temperature_guess, 1e-13);
-    const per_species n = gas.at(t);
-    return {n, combine(n).temperature(enthalpy, t)};
+    const double t = rising_root(excess, coldest, hottest, temperature_guess, 1e-13);
+    return with_enthalpy(gas.at(t), enthalpy, t);
 }
 
 }  // namespace hearth::combustion

@@ -6,6 +6,8 @@
 
 #include <hearth/combustion/reactor.hpp>
 
+#include "require.hpp"
+
 namespace hearth::combustion {
 namespace {
 
@@ -166,8 +168,30 @@ trial attempt(reactor& gas, const extents& e, const extents& rate, const matrix&
 
 }  // namespace
 
+reactor::reactor(const jones_lindstedt& mechanism, const per_species& amount, double temperature, double pressure,
+                 double exchange_rate)
+    : mechanism_(mechanism),
+      amount_(amount),
+      mixture_(combine(amount)),
+      enthalpy_(mixture_.enthalpy(temperature)),
+      pressure_(pressure),
+      exchange_rate_(exchange_rate),
+      total_(sum(amount)),
+      temperature_(temperature),
+      base_temperature_(temperature) {
+    require_mechanism(mechanism);
+    require_mixture(amount);
+    require(temperature > 0 && std::isfinite(temperature), "temperature", temperature, "finite and > 0 [K]");
+    require_pressure(pressure);
+    require(exchange_rate >= 0 && std::isfinite(exchange_rate), "exchange_rate", exchange_rate,
+            "finite and >= 0 [1/s]");
+}
+
 integration integrate(reactor& gas, extents& e, double duration, const tolerance& tol, long max_steps) {
+    require_duration("duration", duration);
+    require_tolerance(tol);
     integration report;
+    if (duration == 0) return report;
     extents rate;
     matrix jacobian;
     gas.evaluate<true>(e, rate, &jacobian);

@@ -12,7 +12,8 @@ struct mixture_state {
 };
 
 /// Mixed is burnt: fuel, CO and H2 burn to CO2 and H2O at once, each to the same share where oxygen is short.
-/// Enthalpy [J/kg] and elements stay.
+/// Enthalpy [J/kg] and elements stay.  Throws bad_value where an amount is negative or not finite, or no temperature
+/// has the enthalpy; so do the functions below.
 mixture_state burn(const per_species& amount, double enthalpy);
 
 /// Chemical equilibrium of the seven species, at an enthalpy [J/kg] and a pressure [Pa], with the elements of `amount`.

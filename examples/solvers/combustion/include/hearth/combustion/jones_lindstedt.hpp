@@ -12,7 +12,7 @@
 namespace hearth::combustion {
 
 /// The steps of the mechanism, as the index of what follows.
-enum step : std::size_t { partial_oxidation, reforming, hydrogen_oxidation, water_gas_shift };
+enum reaction_step : std::size_t { partial_oxidation, reforming, hydrogen_oxidation, water_gas_shift };
 inline constexpr std::size_t step_count = 4;
 using per_step = std::array<double, step_count>;
 
@@ -82,7 +82,7 @@ inline rate_constants rate_constants_at(const jones_lindstedt& mechanism, double
 
     // 1/K = exp(G/RT), d(G/RT)/dT = -H/(R T^2).
     const double per_rt = reciprocal / gas_constant, log_t = std::log(temperature);
-    const auto back = [&](step s, double& slope) {
+    const auto back = [&](reaction_step s, double& slope) {
         const double h = step_thermo[s].enthalpy(temperature);
         slope = -h * per_rt * reciprocal;
         return std::exp(h * per_rt - step_thermo[s].entropy(temperature, log_t) * (1 / gas_constant));

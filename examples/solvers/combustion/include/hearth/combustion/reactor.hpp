@@ -30,17 +30,9 @@ inline constexpr extents extent_moles{2, -0.5, 0};
 class reactor {
   public:
     /// From the amounts [mol/kg], temperature [K] and pressure [Pa] at extents of zero; exchange rate [1/s].
+    /// Throws bad_value where one of them is negative or not finite, or a setting of the mechanism out of range.
     reactor(const jones_lindstedt& mechanism, const per_species& amount, double temperature, double pressure,
-            double exchange_rate = 0.0)
-        : mechanism_(mechanism),
-          amount_(amount),
-          mixture_(combine(amount)),
-          enthalpy_(mixture_.enthalpy(temperature)),
-          pressure_(pressure),
-          exchange_rate_(exchange_rate),
-          total_(sum(amount)),
-          temperature_(temperature),
-          base_temperature_(temperature) {}
+            double exchange_rate = 0.0);
 
     /// Amounts of the species [mol/kg].
     per_species amount(const extents& e) const {
@@ -139,6 +131,7 @@ struct integration {
 /// implicit, order 4 with an embedded order 3, L-stable, stiffly accurate.  A step that leaves a negative amount is
 /// repeated, unless the amount is within the tolerance; then an exchange between species takes it to zero, which keeps
 /// the elements.
-integration integrate(reactor& gas, extents& e, double duration, const tolerance& tol, long max_steps = 100000);
+[[nodiscard]] integration integrate(reactor& gas, extents& e, double duration, const tolerance& tol,
+                                    long max_steps = 100000);
 
 }  // namespace hearth::combustion

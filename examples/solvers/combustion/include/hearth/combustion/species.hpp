@@ -15,7 +15,7 @@ inline constexpr std::array<const char*, species_count> species_names{"CH4", "O2
 using per_species = std::array<double, species_count>;
 
 /// Elements, as the index of `atoms`.
-enum element : std::size_t { C, H, O, N };
+enum element : std::size_t { carbon, hydrogen, oxygen, nitrogen };
 inline constexpr std::size_t element_count = 4;
 using per_element = std::array<double, element_count>;
 
