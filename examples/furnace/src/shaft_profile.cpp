@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include <hearth/closure/air.hpp>
 #include <hearth/closure/drag.hpp>
 #include <hearth/closure/ergun.hpp>
 #include <hearth/closure/gunn.hpp>
@@ -61,8 +62,8 @@ struct gas_flow {
     }
 };
 
-/// Sutherland's viscosity of air (NACA TR-1135, 1953) [Pa s]; burnt gas differs by less than 10 %.
-double viscosity(double t) { return 1.716e-5 * std::pow(t / 273.15, 1.5) * (273.15 + 110.4) / (t + 110.4); }
+/// That of air [Pa s]; burnt gas differs by less than 10 %.
+double viscosity(double t) { return closure::air::viscosity(t); }
 constexpr double prandtl = 0.71;
 
 /// View of the particles' bed as a heat conductor: k = 4 sigma F d T^3 with F of own Monte Carlo over random packings
