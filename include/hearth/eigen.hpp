@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -8,6 +10,7 @@
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
 
+#include <hearth/core/lane_math.hpp>
 #include <hearth/core/scalar.hpp>
 
 /// Closures on Eigen's numbers.  Include it beside a closure and pass
@@ -16,35 +19,39 @@
 namespace hearth {
 
 /// Lanes: Eigen arrays of any size and expressions of them.
-/// A number below the smallest normal one counts as that one in power and logarithm.
+/// A number below the smallest normal one counts as that one.
 template <class Lanes>
 struct scalar_traits<Lanes, std::enable_if_t<std::is_base_of_v<Eigen::ArrayBase<Lanes>, Lanes>>> {
     using real = typename Lanes::Scalar;
     using value = typename Lanes::PlainObject;
 
     static value power(const Lanes& lanes, real a) {
-        const evaluated x = lanes;
-        if constexpr (has_simd) {
-            // Eigen's pow runs at half the speed of the plain one; its exp has no zero, so zero is set by hand.
-            const real at_zero = a > 0 ? real(0) : a < 0 ? std::numeric_limits<real>::infinity() : real(1);
-            const value positive = (a * x.log()).exp();
-            return select(x == real(0), uniform(x, at_zero), positive);
-        } else {
-            return x.unaryExpr([a](real v) { return std::pow(v, a); });
-        }
+        if constexpr (has_registers)
+            return raised(lanes, a, real(0));
+        else
+            return lanes.unaryExpr([a](real v) { return std::pow(v, a); });
     }
-    static value variable_power(const Lanes& x, const value& a) {
-        return select(x == real(0), uniform(a, real(0)), value((a * x.log()).exp()));
+    static value variable_power(const Lanes& lanes, const value& a) {
+        const evaluated x = lanes;
+        if constexpr (has_registers) {
+            value y(x.rows(), x.cols());
+            detail::raise_to_powers(x.data(), a.data(), y.data(), static_cast<std::size_t>(x.size()));
+            return y;
+        } else {
+            return x.binaryExpr(a, [](real v, real e) { return std::pow(v, e); });
+        }
     }
     static value square_root(const Lanes& lanes) {
         const evaluated x = lanes;
-        const value root = x.sqrt();
-        // Eigen 3.4 takes a reciprocal on AVX-512, which makes a NaN of infinity.
-        return select(x <= std::numeric_limits<real>::max(), root, value(x));
+        value root = x.sqrt();
+        // Eigen 3.4 multiplies by a reciprocal root on AVX-512, which makes a NaN of infinity.
+        if constexpr (has_registers) detail::keep_infinity(x.data(), root.data(), static_cast<std::size_t>(x.size()));
+        return root;
     }
     static value cube_root(const Lanes& lanes) {
-        if constexpr (has_simd)
-            return power(lanes, real(1) / real(3));
+        constexpr real third = real(1) / real(3);
+        if constexpr (has_registers)
+            return raised(lanes, third, static_cast<real>(1.0L / 3 - static_cast<long double>(third)));
         else
             return lanes.unaryExpr([](real v) { return std::cbrt(v); });
     }
@@ -52,13 +59,16 @@ struct scalar_traits<Lanes, std::enable_if_t<std::is_base_of_v<Eigen::ArrayBase<
     static value exponential_minus_one(const Lanes& x) { return x.expm1(); }
     static value logarithm(const Lanes& x) { return x.log(); }
     static value absolute(const Lanes& x) { return x.abs(); }
+    static value minimum(const Lanes& x, const value& y) { return x.min(y); }
+    static value maximum(const Lanes& x, const value& y) { return x.max(y); }
+    static value at_least(const Lanes& x, real lo) { return x.max(lo); }
+    static value at_most(const Lanes& x, real hi) { return x.min(hi); }
 
     template <class Mask>
     static value select(const Mask& mask, const value& a, const value& b) {
         // Eigen 3.4 neither compares nor selects in packets; compilers turn this loop into both.
-        const Eigen::internal::evaluator<Mask> holds(mask);
         value chosen(a.rows(), a.cols());
-        for (Eigen::Index k = 0; k < chosen.size(); ++k) chosen.coeffRef(k) = holds.coeff(k) ? a.coeff(k) : b.coeff(k);
+        for (Eigen::Index k = 0; k < chosen.size(); ++k) chosen.coeffRef(k) = mask.coeff(k) ? a.coeff(k) : b.coeff(k);
         return chosen;
     }
     static value uniform(const Lanes& x, real v) { return value::Constant(x.rows(), x.cols(), v); }
@@ -66,8 +76,15 @@ struct scalar_traits<Lanes, std::enable_if_t<std::is_base_of_v<Eigen::ArrayBase<
     static real lane(const Lanes& x, std::int64_t k) { return x.coeff(k); }
 
   private:
-    static constexpr bool has_simd = std::is_same_v<real, float> || std::is_same_v<real, double>;
+    static constexpr bool has_registers = std::is_same_v<real, float> || std::is_same_v<real, double>;
     using evaluated = std::conditional_t<std::is_same_v<Lanes, value>, const value&, value>;
+
+    static value raised(const Lanes& lanes, real a, real tail) {
+        const evaluated x = lanes;
+        value y(x.rows(), x.cols());
+        detail::raise_to_power(x.data(), y.data(), static_cast<std::size_t>(x.size()), a, tail);
+        return y;
+    }
 };
 
 /// Dual numbers: a value and its derivatives.  Where a derivative of the function is infinite (a root at zero), a
@@ -108,6 +125,10 @@ struct scalar_traits<Eigen::AutoDiffScalar<Derivatives>> {
     static value absolute(const dual& x) {
         return chain(x, std::fabs(x.value()), x.value() < real(0) ? real(-1) : real(1));
     }
+    static value minimum(const value& x, const value& y) { return y < x ? y : x; }
+    static value maximum(const value& x, const value& y) { return x < y ? y : x; }
+    static value at_least(const dual& x, real lo) { return x.value() < lo ? uniform(x, lo) : value(x); }
+    static value at_most(const dual& x, real hi) { return hi < x.value() ? uniform(x, hi) : value(x); }
     static value select(bool mask, const value& a, const value& b) { return mask ? a : b; }
     static value uniform(const dual& x, real v) {
         return value(v, directions::Zero(x.derivatives().rows(), x.derivatives().cols()));

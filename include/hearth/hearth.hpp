@@ -24,6 +24,7 @@
 #include <hearth/core/graph_builder.hpp>
 #include <hearth/core/halo.hpp>
 #include <hearth/core/interval.hpp>
+#include <hearth/core/lane_math.hpp>
 #include <hearth/core/lattice.hpp>
 #include <hearth/core/mesh_traits.hpp>
 #include <hearth/core/particle_traits.hpp>

@@ -26,8 +26,9 @@ struct beetstra {
         const Scalar solid = real(1) - void_fraction;
         const Scalar squared = square(void_fraction);
         const Scalar rest = real(10) * solid / squared + squared * (real(1) + real(1.5) * square_root(solid));
-        // Numerator and denominator are multiplied by Re_s^c, so that no negative power meets Re = 0.
-        const Scalar moving = void_fraction * reynolds;
+        // Below 1e-18 inertia is less than 1e-20 of the drag; the floor keeps the derivatives of its powers finite.
+        // Numerator and denominator are multiplied by Re_s^c, so that none of them is negative.
+        const Scalar moving = at_least(Scalar(void_fraction * reynolds), real(1e-18));
         const Scalar rise = variable_power(moving, Scalar(real(0.5) + real(2) * solid));
         const Scalar ten = exponential(Scalar(real(3) * real(2.302585092994045684017991454684364208L) * solid));
         const Scalar inertia = moving * (real(1) / void_fraction + real(3) * void_fraction * solid) +

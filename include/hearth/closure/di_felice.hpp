@@ -24,7 +24,7 @@ struct di_felice {
         using real = real_t<Scalar>;
         const Scalar superficial_reynolds = void_fraction * reynolds;
         // Below 1e-8 the bell is under 3e-20 of its top: x is 3.7, and its logarithm need not be taken at zero.
-        const Scalar moving = maximum(superficial_reynolds, uniform(reynolds, real(1e-8)));
+        const Scalar moving = at_least(superficial_reynolds, real(1e-8));
         const Scalar decades = real(1.5) - logarithm(moving) * real(0.434294481903251827651128918916605082L);
         const Scalar bell = exponential(Scalar(real(-0.5) * decades * decades));
         const Scalar exponent = real(0.65) * bell - real(2.7);

@@ -36,7 +36,7 @@ class eisfeld_schnitzlein {
         const real ratio = real(particle_to_tube_);
         const real root = real(1.15) * ratio * ratio + real(0.87);
         const Scalar solid = real(1) - void_fraction;
-        const Scalar wall = real(1) + real(2) / real(3) * ratio / maximum(solid, uniform(solid, real(0.01)));
+        const Scalar wall = real(1) + real(2) / real(3) * ratio / at_least(solid, real(0.01));
         return wall * (real(154) * wall * solid / void_fraction + reynolds / (root * root));
     }
 

@@ -40,7 +40,7 @@ struct ergun::paper {
     HEARTH_FUNCTION static Scalar dimensionless_exchange(const Scalar& void_fraction, const Scalar& reynolds) {
         using real = real_t<Scalar>;
         const Scalar solid = real(1) - void_fraction;
-        const Scalar factor = void_fraction * maximum(solid, uniform(solid, real(0.1)));
+        const Scalar factor = void_fraction * at_least(solid, real(0.1));
         return ergun::dimensionless_exchange(void_fraction, reynolds) / factor;
     }
 };

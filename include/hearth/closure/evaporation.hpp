@@ -60,7 +60,7 @@ struct water {
     HEARTH_FUNCTION static Scalar below_critical(const Scalar& temperature) {
         using real = real_t<Scalar>;
         const Scalar t = real(1) - temperature / real(critical_temperature());
-        return maximum(t, uniform(t, real(0)));
+        return at_least(t, real(0));
     }
 };
 
@@ -99,7 +99,7 @@ struct evaporation {
     template <class Scalar>
     HEARTH_FUNCTION static Scalar stefan_factor(const Scalar& b) {
         using real = real_t<Scalar>;
-        const Scalar left = maximum(Scalar(real(1) - b), uniform(b, real(0.01)));
+        const Scalar left = at_least(Scalar(real(1) - b), real(0.01));
         // With the rounded 1 - b in both places the quotient keeps its digits at small b.
         const Scalar taken = left - real(1);
         const auto none = taken == real(0);

@@ -49,7 +49,7 @@ class feng_han::monte_carlo_fit {
     template <class Scalar>
     HEARTH_FUNCTION static Scalar view_factor(const Scalar& distance_ratio, const Scalar& solid_fraction) {
         using real = real_t<Scalar>;
-        const Scalar s = maximum(distance_ratio, uniform(distance_ratio, real(1)));
+        const Scalar s = at_least(distance_ratio, real(1));
         const Scalar dense = solid_fraction - real(0.6);
         const Scalar logarithm_of_f = select(s < real(kink()), near(s, dense), far(s, dense));
         return select(s > real(4), uniform(s, real(0)), exponential(logarithm_of_f));

@@ -58,13 +58,13 @@ struct gas_film {
         using real = real_t<Scalar>;
         using rule = gauss_legendre<real>;
         const Scalar zero = uniform(radius, real(0));
-        const Scalar middle = radius + half_gap;              // R + g
-        const Scalar open = maximum(half_gap, zero);          // narrowest gap
-        const Scalar rim = maximum(Scalar(-half_gap), zero);  // R - w at the rim
+        const Scalar middle = radius + half_gap;                  // R + g
+        const Scalar open = at_least(half_gap, real(0));          // narrowest gap
+        const Scalar rim = at_least(Scalar(-half_gap), real(0));  // R - w at the rim
         const Scalar rim_radius = square_root(Scalar(rim * (real(2) * radius - rim)));
         const Scalar q = middle / radius * cube_root(Scalar(real(1) - void_fraction)) / real(0.56);
         const Scalar outer = radius * q / square_root(Scalar(real(1) + q * q));  // w at the cone
-        const Scalar span = maximum(Scalar(radius - rim - outer), zero);
+        const Scalar span = at_least(Scalar(radius - rim - outer), real(0));
 
         // Where solid and gas resist alike; only the nodes' places depend on it.
         const Scalar balance = (radius - rim - rim_radius * q) * solid / faces + open;
@@ -116,9 +116,9 @@ struct rong_horio {
         using real = real_t<Scalar>;
         const real least = real(4e-10);
         const Scalar middle = radius + half_gap;
-        const Scalar from = maximum(half_gap, uniform(radius, real(0)));
+        const Scalar from = at_least(half_gap, real(0));
         const Scalar to = maximum(Scalar(real(0.11) * radius * radius / middle), from);  // (1.2^2 - 1)/4
-        const Scalar clipped = minimum(maximum(from, uniform(radius, real(0.5) * least)), to);
+        const Scalar clipped = minimum(at_least(from, real(0.5) * least), to);
         const Scalar flat = (clipped - from) * (middle - real(0.5) * (clipped + from)) / least;
         const Scalar wedge = middle * logarithm(Scalar(to / clipped)) - (to - clipped);
         return constants<real>::pi() * (real(2) * flat + wedge);

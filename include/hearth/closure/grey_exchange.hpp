@@ -71,7 +71,7 @@ class grey_exchange {
     HEARTH_FUNCTION static Scalar below(const Scalar& emissivity, double bend) {
         using real = real_t<Scalar>;
         const Scalar missing = real(bend) - emissivity;
-        return maximum(missing, uniform(missing, real(0)));
+        return at_least(missing, real(0));
     }
 
     double factor_;

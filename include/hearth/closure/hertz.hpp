@@ -39,7 +39,7 @@ struct hertz {
     HEARTH_FUNCTION static Scalar contact_radius(const Scalar& normal_force, const Scalar& effective_radius,
                                                  const Scalar& effective_modulus) {
         using real = real_t<Scalar>;
-        const Scalar pressing = maximum(normal_force, uniform(normal_force, real(0)));
+        const Scalar pressing = at_least(normal_force, real(0));
         return cube_root(Scalar(real(0.75) * pressing * effective_radius / effective_modulus));
     }
 
@@ -60,7 +60,7 @@ struct hertz {
     HEARTH_FUNCTION static Scalar normal_force(const Scalar& overlap, const Scalar& effective_radius,
                                                const Scalar& effective_modulus) {
         using real = real_t<Scalar>;
-        const Scalar touching = maximum(overlap, uniform(overlap, real(0)));
+        const Scalar touching = at_least(overlap, real(0));
         const Scalar contact_radius = square_root(Scalar(effective_radius * touching));
         return real(4) / real(3) * effective_modulus * contact_radius * touching;
     }

@@ -22,7 +22,7 @@ struct sphere_pair {
     template <class Scalar>
     HEARTH_FUNCTION static Scalar view_factor(const Scalar& distance_ratio) {
         using real = real_t<Scalar>;
-        const Scalar s = maximum(distance_ratio, uniform(distance_ratio, real(1)));
+        const Scalar s = at_least(distance_ratio, real(1));
         const Scalar x = real(1) / square(s);
         const Scalar x2 = square(x);
         const Scalar x4 = square(x2);

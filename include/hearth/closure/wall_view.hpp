@@ -104,7 +104,7 @@ class wall_view::bed {
     HEARTH_FUNCTION static Scalar above(const Scalar& height_ratio, double bend) {
         using real = real_t<Scalar>;
         const Scalar height = height_ratio - real(bend);
-        return maximum(height, uniform(height, real(0)));
+        return at_least(height, real(0));
     }
 
     double solid_fraction_;

@@ -95,7 +95,7 @@ struct zhang::micro_gap {
     HEARTH_FUNCTION Scalar conductance(const contact_pair<Scalar>& pair) const {
         using real = real_t<Scalar>;
         const Scalar area = constants<real>::pi() * square(pair.contact_radius);
-        const Scalar pressing = maximum(pair.normal_force, uniform(pair.normal_force, real(0)));
+        const Scalar pressing = at_least(pair.normal_force, real(0));
         // h_c A with A drawn into the power: A^0.05 (F/H)^0.95, which needs no pressure where there is no contact.
         const Scalar faces = real(1.25) * mean_conductivity(pair) * real(slope_per_height_) * power(area, real(0.05)) *
                              power(Scalar(pressing / real(hardness_)), real(0.95));

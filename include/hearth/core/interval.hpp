@@ -23,9 +23,7 @@ struct interval {
     template <class Scalar>
     HEARTH_FUNCTION constexpr value_t<Scalar> clamp(const Scalar& x) const {
         using real = real_t<Scalar>;
-        using value = value_t<Scalar>;
-        const value inside = x;
-        return minimum<value>(maximum<value>(inside, uniform(inside, real(lo))), uniform(inside, real(hi)));
+        return at_most(at_least(x, real(lo)), real(hi));
     }
 };
 

@@ -20,6 +20,7 @@ namespace hearth {
 /// Static members, all but the last two of type `value`
 ///     power(x, real a)  variable_power(x, value a)  square_root(x)  cube_root(x)
 ///     exponential(x)  exponential_minus_one(x)  logarithm(x)  absolute(x)
+///     minimum(x, value y)  maximum(x, value y)  at_least(x, real lo)  at_most(x, real hi)    NaN in x comes through
 ///     select(mask, value a, value b)    a where the mask holds, else b
 ///     uniform(x, real v)                v in the shape of x
 ///     lane_count(x)                     how many plain numbers there are in x, an std::int64_t; 1 for plain numbers
@@ -40,6 +41,10 @@ struct scalar_traits {
     HEARTH_FUNCTION static Scalar exponential_minus_one(Scalar x) { return std::expm1(x); }
     HEARTH_FUNCTION static Scalar logarithm(Scalar x) { return std::log(x); }
     HEARTH_FUNCTION static Scalar absolute(Scalar x) { return std::fabs(x); }
+    HEARTH_FUNCTION static constexpr Scalar minimum(Scalar x, Scalar y) { return y < x ? y : x; }
+    HEARTH_FUNCTION static constexpr Scalar maximum(Scalar x, Scalar y) { return x < y ? y : x; }
+    HEARTH_FUNCTION static constexpr Scalar at_least(Scalar x, Scalar lo) { return x < lo ? lo : x; }
+    HEARTH_FUNCTION static constexpr Scalar at_most(Scalar x, Scalar hi) { return hi < x ? hi : x; }
     HEARTH_FUNCTION static constexpr Scalar select(bool mask, Scalar a, Scalar b) { return mask ? a : b; }
     HEARTH_FUNCTION static constexpr Scalar uniform(Scalar, Scalar v) { return v; }
     HEARTH_FUNCTION static constexpr std::int64_t lane_count(Scalar) { return 1; }
@@ -55,7 +60,7 @@ template <class Scalar>
 using value_t = typename scalar_traits<Scalar>::value;
 
 /// x to the power a, for x >= 0; NaN for x < 0.  power(0, a) = 0 for a > 0.
-/// On lanes it is exp(a log x), whose relative error is up to (2 + 2 |a log x|) epsilon.
+/// On Eigen's lanes it is computed in vector registers, within two epsilon.
 template <class Scalar>
 HEARTH_FUNCTION value_t<Scalar> power(const Scalar& x, real_t<Scalar> a) {
     return scalar_traits<Scalar>::power(x, a);
@@ -128,13 +133,25 @@ HEARTH_FUNCTION constexpr value_t<Scalar> uniform(const Scalar& x, real_t<Scalar
 /// The smaller of two.  A NaN in x comes through.
 template <class Scalar>
 HEARTH_FUNCTION constexpr value_t<Scalar> minimum(const Scalar& x, const Scalar& y) {
-    return scalar_traits<Scalar>::select(y < x, y, x);
+    return scalar_traits<Scalar>::minimum(x, y);
 }
 
 /// The larger of two.  A NaN in x comes through.
 template <class Scalar>
 HEARTH_FUNCTION constexpr value_t<Scalar> maximum(const Scalar& x, const Scalar& y) {
-    return scalar_traits<Scalar>::select(x < y, y, x);
+    return scalar_traits<Scalar>::maximum(x, y);
+}
+
+/// x, but not below a constant.  NaN stays NaN.
+template <class Scalar>
+HEARTH_FUNCTION constexpr value_t<Scalar> at_least(const Scalar& x, real_t<Scalar> lo) {
+    return scalar_traits<Scalar>::at_least(x, lo);
+}
+
+/// x, but not above a constant.  NaN stays NaN.
+template <class Scalar>
+HEARTH_FUNCTION constexpr value_t<Scalar> at_most(const Scalar& x, real_t<Scalar> hi) {
+    return scalar_traits<Scalar>::at_most(x, hi);
 }
 
 /// How many plain numbers there are in x.
