@@ -77,10 +77,11 @@ void reactor::evaluate(const extents& e, extents& rate, std::array<extents, exte
         total += extent_moles[i] * e[i];
         guess += temperature_slope_[i] * (e[i] - base_[i]);
     }
-    temperature_ = mixture.temperature(enthalpy_, guess);
+    temperature_ = mixture.temperature(enthalpy_, guess, 1e-6);
 
     per_species x = amount(e);
-    for (double& n : x) n /= total;
+    const double share = 1 / total;
+    for (double& n : x) n *= share;
     rate_terms r;
     combustion::evaluate<Derivatives>(mechanism_, rate_constants_at(mechanism_, temperature_, pressure_), x, r);
 

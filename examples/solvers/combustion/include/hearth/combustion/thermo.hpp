@@ -80,16 +80,17 @@ struct nasa7 {
     /// Newton, kept in the range: the mean heat capacity between two temperatures of a range is below twice that at
     /// either, for each species, so the error falls with every step.  The tabulated enthalpies step at 1000 K, by up to
     /// -0.005 J/mol; there the lower range is taken, so that the answer exists and is unique.
+    /// Newton ends with a step below `last_step` [-], which leaves its square as relative error, or round-off.
     /// Needs a positive heat capacity: not for reactions.
-    double temperature(double enthalpy, double guess = 1500.0) const {
+    double temperature(double enthalpy, double guess = 1500.0, double last_step = 1e-8) const {
         const bool below = enthalpy <= low.enthalpy(split());
         const nasa_range& gas = below ? low : high;
         const interval inside = below ? interval{limits().lo, split()} : interval{split(), limits().hi};
         double t = inside.clamp(guess);
         for (int i = 0; i < 100; ++i) {
             const double next = t - (gas.enthalpy(t) - enthalpy) / gas.heat_capacity(t);
-            // The error left is below cp'/(2 cp) times the square of this step: round-off.
-            if (std::fabs(next - t) < 1e-8 * t) return next;
+            // The error left is below cp'/(2 cp) < 1e-3/K times the square of this step.
+            if (std::fabs(next - t) < last_step * t) return next;
             const double kept = inside.clamp(next);
             if (kept == t) return next;  // at a limit, beyond which the enthalpy is linear
             t = kept;
