@@ -20,7 +20,7 @@ TEST_CASE_TEMPLATE("scalar: powers and roots at zero and one", Real, float, doub
     CHECK(variable_power(Real(0), Real(0.5L)) == 0);
     CHECK(std::isnan(power(Real(-1), Real(0.2L))));
     CHECK(square_root(Real(4)) == 2);
-    CHECK(cube_root(Real(27)) == 3);
+    CHECK(absolute(cube_root(Real(27)) - 3) <= 4 * std::numeric_limits<Real>::epsilon());  // one round-off of 3
     CHECK(cube_root(Real(0)) == 0);
     CHECK(exponential(Real(0)) == 1);
     CHECK(logarithm(Real(1)) == 0);
