@@ -83,7 +83,7 @@ bed& settled(int count) {
     for (int k = 0; k < count / 20000; ++k) {
         for (std::int32_t i = 0; i < one.size(); ++i) {
             particle p;
-            p.position = one.spheres()[i].centre + vector3{0, 0, k * (height + 0.002)};
+            p.position = one.spheres()[i].centre + vector3{0, 0, k * (height + 0.012)};
             p.radius = one.spheres()[i].radius;
             p.density = 3580;
             balls.push_back(p);
@@ -91,7 +91,7 @@ bed& settled(int count) {
     }
     b = std::make_unique<bed>(empty_cylinder());
     b->insert(balls);
-    b->advance(2500);
+    b->advance(4000);
     return *b;
 }
 

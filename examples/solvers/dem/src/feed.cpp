@@ -139,6 +139,7 @@ feed::report feed::fill(bed& b) { return insert(b, true); }
 
 feed::report feed::insert(bed& b, bool regardless) {
     if (!regardless && state_.due < next_mass()) return {0, false};
+    const state before = state_;
     std::vector<particle> added;
     occupied_space space(b, settings_.where, sizes_.largest());
     bool full = false;
@@ -165,7 +166,12 @@ feed::report feed::insert(bed& b, bool regardless) {
             state_.next_diameter = sizes_.draw(state_.random);
         }
     }
-    b.insert(added);
+    try {
+        b.insert(added);
+    } catch (...) {  // e.g. a wall within the zone: nothing was brought
+        state_ = before;
+        throw;
+    }
     state_.particles += static_cast<std::int64_t>(added.size());
     return {static_cast<int>(added.size()), full};
 }

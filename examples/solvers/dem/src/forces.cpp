@@ -79,7 +79,7 @@ std::ptrdiff_t pair_forces(const contact_law& law, double step, double deepest, 
     using batch_type = contact_batch<Rolling>;
     constexpr std::size_t chunk = 1024;
     batch_type batch;
-    std::uint32_t touching[chunk + 1], apart[chunk + 1];
+    std::uint32_t touching[chunk], apart[chunk];
     const sphere* const spheres = particles.spheres.data();
     const motion* const motions = particles.motions.data();
     load* const loads = particles.loads.data();

@@ -10,6 +10,16 @@ namespace hearth::dem {
 
 using detail::check;
 
+namespace {
+
+double largest_diameter(const bed& b) {
+    double largest = 0;
+    for (index i = 0; i < b.size(); ++i) largest = std::fmax(largest, 2 * b.spheres()[i].radius);
+    return largest;
+}
+
+}  // namespace
+
 outflow::outflow(const settings& s) : settings_(s) {
     set_mass_flow(s.mass_flow);
     check(std::isfinite(s.height), "height of floor", s.height, "finite [m]");
@@ -30,12 +40,13 @@ int outflow::update(bed& b, double seconds) {
     return count;
 }
 
-/// Those below the floor leave, the lowest first, as long as they are due.
+/// Those that would rest on the floor or are below it leave, the lowest first, as long as they are due.
 int outflow::take_lowest(bed& b) {
     b.set_wall_open(settings_.floor, true);
+    const double exit = settings_.height + 0.5 * largest_diameter(b);
     std::vector<index> below;
     for (index i = 0; i < b.size(); ++i)
-        if (b.spheres()[i].centre.z < settings_.height) below.push_back(i);
+        if (b.spheres()[i].centre.z < exit) below.push_back(i);
     std::sort(below.begin(), below.end(), [&](index i, index j) {
         const double zi = b.spheres()[i].centre.z, zj = b.spheres()[j].centre.z;
         return zi != zj ? zi < zj : b.ids()[i] < b.ids()[j];
@@ -45,7 +56,7 @@ int outflow::take_lowest(bed& b) {
         const double mass = b.mass(below[count]);
         state_.due -= mass;
         state_.taken += mass;
-        state_.enthalpy += mass * b.temperatures()[below[count]];
+        state_.mass_temperature += mass * b.temperatures()[below[count]];
     }
     below.resize(count);
     state_.particles += static_cast<std::int64_t>(count);
@@ -53,21 +64,21 @@ int outflow::take_lowest(bed& b) {
     return static_cast<int>(count);
 }
 
-/// The lowest layer moves as a body at flow over mass per height.  Its speed is trimmed by what has passed the floor and
+/// The lowest layer moves as a body at flow over mass per height.  Its speed is trimmed by what has passed the exit and
 /// is not yet due, so that the two never part by more than about half a layer.
 void outflow::drive(bed& b) {
-    double diameter = 0, layer_mass = 0, passed = 0;
-    for (index i = 0; i < b.size(); ++i) diameter = std::fmax(diameter, 2 * b.spheres()[i].radius);
-    const double top = settings_.height + settings_.layer * diameter;
+    const double diameter = largest_diameter(b), exit = settings_.height + 0.5 * diameter;
+    const double top = exit + settings_.layer * diameter;
+    double layer_mass = 0, passed = 0;
     for (index i = 0; i < b.size(); ++i) {
         const double z = b.spheres()[i].centre.z;
         if (z >= top) continue;
-        if (z < settings_.height) passed += b.mass(i);
+        if (z < exit) passed += b.mass(i);
         else layer_mass += b.mass(i);
     }
     double speed = 0;
     if (layer_mass > 0) {
-        const double per_height = layer_mass / (top - settings_.height);
+        const double per_height = layer_mass / (top - exit);
         speed = settings_.mass_flow / per_height * (1 + (state_.due - passed) / (0.5 * layer_mass));
         speed = std::fmax(0.0, std::fmin(speed, 2 * settings_.mass_flow / per_height));
     }
@@ -90,7 +101,7 @@ int outflow::take_touching(bed& b) {
         if (state_.due < mass) break;
         state_.due -= mass;
         state_.taken += mass;
-        state_.enthalpy += mass * b.temperatures()[*pick];
+        state_.mass_temperature += mass * b.temperatures()[*pick];
         gone.push_back(*pick);
         touching.erase(pick);
     }

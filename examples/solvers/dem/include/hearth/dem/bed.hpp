@@ -66,7 +66,7 @@ class bed {
     /// Removes the particles of these indices.
     void remove(const std::vector<index>& indices);
 
-    /// Moves on by `steps` steps.  Throws motion_error.
+    /// Moves on by `steps` steps.  Throws motion_error; the bed then holds the step that failed: restore a state before it.
     void advance(int steps);
     double time() const;
     std::int64_t steps() const;
@@ -104,7 +104,7 @@ class bed {
     /// it was, for a state that is damaged or was made otherwise.
     void restore(const std::vector<char>& state);
 
-    /// Bytes that the bed holds.
+    /// Bytes that the bed holds, without the near list.
     std::size_t memory() const;
 
     /// Contacts as of the last step.  visit(i, j, elastic normal force [N], overlap [m], point [m]): every touching pair once.

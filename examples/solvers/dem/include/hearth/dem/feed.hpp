@@ -64,7 +64,7 @@ class feed {
     };
 
     feed(const settings& s, size_distribution sizes);
-    /// Brings what `seconds` more make due.
+    /// Brings what `seconds` more make due.  Throws motion_error where a wall reaches into the zone; nothing is brought then.
     report update(bed& b, double seconds);
     /// Brings as many as find room now, whatever is due; they count as brought.
     report fill(bed& b);
@@ -108,7 +108,7 @@ class outflow {
         random_source random;
         double due = 0;        ///< mass not yet taken [kg]
         double taken = 0;      ///< so far [kg]
-        double enthalpy = 0;   ///< mass times temperature of what was taken [kg K]
+        double mass_temperature = 0;  ///< sum of mass times temperature of what was taken [kg K]
         std::int64_t particles = 0;
     };
 
