@@ -4,7 +4,7 @@
 
 usage: report.py [--bands FILE] [--output DIR] [--accept] JSON...
 
-Names of benchmarks are FAMILY/METHOD/PARAMETER:VALUE[/...], see README.md.  Every value of the counter `error` must lie
+Names of benchmarks are FAMILY/METHOD[/VARIANT]/PARAMETER:VALUE, see README.md.  Every value of the counter `error` must lie
 in its band of bands.csv (name, lowest, highest, seconds); the script fails if one does not, if a benchmark has no band,
 or if a band of a family that was run has no benchmark.  Run time only warns: machines differ.  --accept writes the bands
 anew around this run; the change is then seen in review.
@@ -20,6 +20,7 @@ import sys
 
 SLOWER_WARNS = 2.0        # run time over the recorded one that is worth a line
 BAND = 1.25               # width of an accepted band, up and down
+SMALLEST = 1e-17          # drawn for 0 on a logarithmic axis
 EXACT = 1e-12             # an error below this is round-off: its band is [0, 10 * EXACT]
 SUFFIX = re.compile(r"/((real|process|manual)_time|(iterations|repeats|threads|min_time|min_warmup_time):[\d.]+)")
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
@@ -28,12 +29,13 @@ STANDARD = {"name", "family_index", "per_family_instance_index", "run_name", "ru
             "repetition_index", "iterations", "real_time", "cpu_time", "time_unit", "label", "items_per_second",
             "bytes_per_second"}
 # Okabe and Ito's palette: distinct for every kind of colour vision.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8C6D1F"]
-MARKERS = "osD^vP*X"
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8C6D1F", "#999999"]
+MARKERS = "osD^vP*Xh"
+LINES = ["-", "--", ":", "-."]
 AXES = {"d_dx": "particle over cell size d/dx [-]", "gamma": "acceleration factor [-]", "dt": "step [s]",
         "cells": "cells [-]", "steps": "steps [-]", "ranks": "ranks [-]"}
 
-Point = collections.namedtuple("Point", "name family method parameter value seconds error counters label")
+Point = collections.namedtuple("Point", "name family method variant parameter value seconds error counters label")
 
 
 def read(files):
@@ -52,7 +54,7 @@ def read(files):
             wall = any(kind in entry["name"] for kind in ("/real_time", "/manual_time"))
             seconds = entry["real_time" if wall else "cpu_time"] * UNITS[entry["time_unit"]]
             counters = {key: value for key, value in entry.items() if key not in STANDARD and key != "error"}
-            points.append(Point(name, family, " ".join([method, *rest[:-1]]), parameter, value, seconds,
+            points.append(Point(name, family, method, " ".join(rest[:-1]), parameter, value, seconds,
                                 entry.get("error"), counters, entry.get("label", "")))
     return points, failed
 
@@ -79,14 +81,15 @@ def unit(points):
 
 
 def table(points):
-    methods = list(dict.fromkeys(point.method for point in points))
-    points = sorted(points, key=lambda point: methods.index(point.method))
+    curves = list(dict.fromkeys((point.method, point.variant) for point in points))
+    points = sorted(points, key=lambda point: curves.index((point.method, point.variant)))
     extra = sorted({key for point in points for key in point.counters})
     head = ["method", points[0].parameter or "parameter", "run time", f"error [{unit(points)}]",
             *(key.replace("_", " ") for key in extra)]
     rows = ["| " + " | ".join(head) + " |", "|---|" + "---:|" * (len(head) - 1)]
     for point in points:
-        cells = [point.method, point.value, si(point.seconds, "s"), "" if point.error is None else f"{point.error:.3g}"]
+        cells = [f"{point.method} {point.variant}".strip(), point.value, si(point.seconds, "s"),
+                 "" if point.error is None else f"{point.error:.3g}"]
         for key in extra:
             value = point.counters.get(key)
             cells.append("" if value is None else si(value, "s") if key == "per_item" else f"{value:.4g}")
@@ -95,58 +98,69 @@ def table(points):
 
 
 def draw(family, points, file):
-    """Error over run time, one curve per method; beside it error over the parameter, if the methods share one."""
+    """Error over run time, a colour per method and a line style per variant; beside it error over the parameter, if the
+    methods share one."""
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as plt
 
     methods = list(dict.fromkeys(point.method for point in points))
-    shared = {point.parameter for point in points}
-    over_parameter = len(shared) == 1 and all(number(point.value) for point in points) \
+    variants = list(dict.fromkeys(point.variant for point in points if point.variant))
+    over_parameter = len({point.parameter for point in points}) == 1 and all(number(point.value) for point in points) \
         and len({point.value for point in points}) > 2
-    positive = [point.error for point in points if point.error > 0]
-    floor = 10 ** math.floor(math.log10(min(positive)) - 1) if positive else 1e-17
-    figure, axes = plt.subplots(1, 2 if over_parameter else 1, figsize=(11 if over_parameter else 6.5, 4.6),
-                                squeeze=False, sharey=True, layout="constrained")
     panels = [("run time [s]", lambda point: point.seconds)]
     if over_parameter:
         panels.append((AXES.get(points[0].parameter, points[0].parameter), lambda point: number(point.value)))
-    ends = []
-    for panel, (axis, (label, abscissa)) in enumerate(zip(axes[0], panels)):
-        for index, method in enumerate(methods):
-            curve = [point for point in points if point.method == method]
+    figure, axes = plt.subplots(1, len(panels), figsize=(1.2 + 5.3 * len(panels), 4.8), squeeze=False, sharey=True,
+                                layout="constrained")
+    ends = {}
+    for axis, (label, abscissa) in zip(axes[0], panels):
+        for method, variant in dict.fromkeys((point.method, point.variant) for point in points):
+            curve = [point for point in points if (point.method, point.variant) == (method, variant)]
             x = [abscissa(point) for point in curve]
-            y = [max(point.error, floor) for point in curve]
-            colour = COLOURS[index % len(COLOURS)]
-            axis.plot(x, y, color=colour, marker=MARKERS[index % len(MARKERS)], markersize=5, linewidth=1.6,
-                      linestyle="-" if index < len(COLOURS) else "--")
-            if panel == len(panels) - 1:
-                right = max(range(len(x)), key=x.__getitem__)
-                ends.append((y[right], x[right], method, colour))
+            y = [max(point.error, SMALLEST) for point in curve]
+            index = methods.index(method)
+            axis.plot(x, y, color=COLOURS[index % len(COLOURS)], marker=MARKERS[index % len(MARKERS)], markersize=5,
+                      linewidth=1.6, linestyle=LINES[variants.index(variant) % len(LINES) if variant else 0])
+            if axis is axes[0][-1]:
+                ends.setdefault(method, max(zip(x, y)))  # of the first variant
         axis.set_xscale("log")
         axis.set_yscale("log")
         axis.set_xlabel(label)
-        if panel == 1:
-            ticks = sorted({abscissa(point) for point in points})
-            axis.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
-            axis.tick_params(axis="x", which="minor", bottom=False, labelbottom=False)
         axis.grid(True, which="major", color="0.9")
         axis.spines[["top", "right"]].set_visible(False)
+    if over_parameter:
+        ticks = sorted({number(point.value) for point in points})
+        axes[0][1].set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+        axes[0][1].tick_params(axis="x", which="minor", bottom=False, labelbottom=False)
+    for line, variant in zip(LINES, variants if len(variants) > 1 else []):
+        axes[0][0].plot([], [], color="0.3", linestyle=line, label=variant)
+    if len(variants) > 1:
+        axes[0][0].legend(frameon=False, fontsize=9, loc="lower left")
     axes[0][0].set_ylabel(f"error [{unit(points)}]")
     figure.suptitle(family)
 
     # The names stand at the ends of the curves, pushed apart where they would touch.
     axis = axes[0][-1]
-    low, high = (math.log10(limit) for limit in axis.get_ylim())
-    step, previous = (high - low) / 22, -math.inf
-    for y, x, method, colour in sorted(ends):
-        height = max(math.log10(y), previous + step)
-        previous = height
-        axis.annotate(method, (x, y), xytext=(1.03, (height - low) / (high - low)), textcoords="axes fraction",
-                      color=colour, fontsize=9, va="center",
-                      arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.5, "alpha": 0.5})
+    names = sorted(methods, key=lambda method: ends[method][1])
+    wanted = [axis.transAxes.inverted().transform(axis.transData.transform(ends[method]))[1] for method in names]
+    for method, height in zip(names, spread(wanted, 0.05)):
+        colour = COLOURS[methods.index(method) % len(COLOURS)]
+        axis.annotate(method, ends[method], xytext=(1.03, height), textcoords="axes fraction", color=colour, fontsize=9,
+                      va="center", arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.5, "alpha": 0.5})
     figure.savefig(file, dpi=150)
     plt.close(figure)
+
+
+def spread(heights, step):
+    """Rising heights, moved as little as needed to be a step apart and, if there is room, below 1."""
+    for i in range(1, len(heights)):
+        heights[i] = max(heights[i], heights[i - 1] + step)
+    ceiling = 1.0
+    for i in reversed(range(len(heights))):
+        heights[i] = min(heights[i], ceiling)
+        ceiling = heights[i] - step
+    return heights
 
 
 def read_bands(file):
