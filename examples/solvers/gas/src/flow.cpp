@@ -171,7 +171,6 @@ void flow::correct(flow_state& state, const flow_medium& medium, const flow_hist
     const mesh& m = *mesh_;
     const int internal = m.internal_faces(), n = m.owned_cells();
     const bool skewed = m.largest_angle > 0.01;
-    if (!skewed) deferral_ = 1;
     array<vector3>& momentum = source_;  // free from here on: void fraction * density * velocity, times volume
     std::fill(momentum.begin(), momentum.end(), vector3{});
     // volume * G = sum of F (x_f - x_P) is exact for a constant G; what a slope of w adds to F is taken off first, so that
@@ -203,7 +202,8 @@ void flow::correct(flow_state& state, const flow_medium& medium, const flow_hist
         vector3 rest = drive_[c] - (total_[c] + relax_[c] + inertia_[c]) * w + relax_[c] * previous_[c];
         if (history.step > 0)
             rest += inertia_[c] * medium.void_fraction[c] / history.void_fraction[c] * history.velocity[c];
-        state.pressure_gradient[c] += deferral_ * (rest - state.pressure_gradient[c]);
+        vector3& slope = state.pressure_gradient[c];
+        slope = skewed ? slope + deferral_ * (rest - slope) : rest;
     }
     ranks_->gather(&state.velocity[0].x, 3);
     ranks_->gather(&state.pressure_gradient[0].x, 3);
