@@ -36,7 +36,6 @@
 #include <hearth/core/thermal_link.hpp>
 #include <hearth/core/unique_ids.hpp>
 
-#include <hearth/adapt/raw.hpp>
 #include <hearth/closure/air.hpp>
 #include <hearth/closure/beetstra.hpp>
 #include <hearth/closure/checked.hpp>
@@ -103,3 +102,5 @@
 #include <hearth/scene/build_links.hpp>
 #include <hearth/scene/needs.hpp>
 #include <hearth/scene/scene.hpp>
+
+#include <hearth/adapt/raw.hpp>
