@@ -56,7 +56,7 @@ struct power_table<float> {
     using bits = std::uint32_t;
     using signed_bits = std::int32_t;
     static constexpr int fraction_bits = 23, bias = 127, split_bits = 12;
-    static constexpr std::int32_t offset = 1 << 9;
+    static constexpr std::int32_t offset = 1 << 12;
     static constexpr bits root_half = 0x3f3504f3U;
     static constexpr float logarithm[]{2.88539008F, 0.961798839F, 0.576715112F, 0.431719726F};
     static constexpr float exponential[]{1.0F,           0.693147207F,   0.240226509F,   0.0555032655F,
@@ -73,7 +73,7 @@ struct lane_power {
     typedef typename table::signed_bits mask __attribute__((vector_size(register_bytes)));
     typedef std::int32_t integers __attribute__((vector_size(lanes * sizeof(std::int32_t))));
 
-    /// x to the power a + tail; tail is what a lost by rounding.  Within two round-offs for x > 0.
+    /// x to the power a + tail; tail is what a lost by rounding.  Within two round-offs for x > 0 and |a| <= 32.
     /// The power is 2^n 2^r.  The integer part of log2(x) times a is split off exactly, so that all that is rounded is
     /// of order one, and the error does not grow with the logarithm.  Beyond the range of Real it ends at the range's
     /// end. 0 gives 0, 1 or infinity, infinity the opposite, a negative number and NaN give NaN.
@@ -96,10 +96,12 @@ struct lane_power {
         const reals large = high * k;
         const reals small = (a - high + tail) * k + a * logarithm;
 
-        // n is the nearest integer: the offset makes truncation a floor
-        const integers n =
-            __builtin_convertvector(large + small + (static_cast<Real>(table::offset) + Real(0.5)), integers) -
-            table::offset;
+        // n is the nearest integer: the offset makes truncation a floor.  A NaN becomes an integer, too, and comes back
+        // with r.
+        const reals offset = reals{} + static_cast<Real>(table::offset), sum = large + small;
+        const reals above_least = sum > -offset ? sum : -offset;
+        const reals bounded = above_least < offset ? above_least : offset;
+        const integers n = __builtin_convertvector(bounded + offset + Real(0.5), integers) - table::offset;
         const reals r = (large - __builtin_convertvector(n, reals)) + small;
         const integers end = integers{} + (table::bias - 1);
         const integers below = n > end ? end : n;
