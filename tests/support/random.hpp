@@ -13,7 +13,9 @@ class seeded {
     explicit seeded(std::uint64_t seed) : engine_(seed) {}
 
     /// In [lo, hi).
-    double uniform(double lo, double hi) { return lo + (hi - lo) * std::ldexp(static_cast<double>(engine_() >> 11), -53); }
+    double uniform(double lo, double hi) {
+        return lo + (hi - lo) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
+    }
     /// Logarithmically uniform in [lo, hi).
     double log_uniform(double lo, double hi) { return std::exp(uniform(std::log(lo), std::log(hi))); }
     /// In [0, count).
