@@ -21,10 +21,10 @@ struct bed_flow {
 /// b: gas feels the full grad p, particles none, and the drag contains the pressure's work on them (1/e larger).
 enum class momentum_model { a, b };
 
-/// Every drag closure is one function of two numbers, and these free functions make forces and gradients of it:
-///     static constexpr momentum_model model();
-///     Scalar dimensionless_exchange(void_fraction, reynolds)  =  beta d^2 / ((1 - e) mu)   [-]
-/// with reynolds on the interstitial slip.  It is finite at e = 1 and at Re = 0: 18 is Stokes' drag.
+// Every drag closure is one function of two numbers, of which the free functions below make forces and gradients:
+//     static constexpr momentum_model model();
+//     Scalar dimensionless_exchange(void_fraction, reynolds)  =  beta d^2 / ((1 - e) mu)   [-]
+// with reynolds on the interstitial slip.  It is finite at e = 1 and at Re = 0: 18 is Stokes' drag.
 
 /// Particle Reynolds number on the interstitial slip [-].
 template <class Scalar>

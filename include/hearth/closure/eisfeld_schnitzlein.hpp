@@ -24,7 +24,7 @@ class eisfeld_schnitzlein {
 
     /// [-]
     HEARTH_FUNCTION static constexpr interval void_fraction_range() { return {0.33, 0.88}; }
-    /// Interstitial [-].
+    /// Interstitial; the data reach 17635 in superficial flow and down to D/d = 1.6 [-].
     HEARTH_FUNCTION static constexpr interval reynolds_range() { return {0.0, 2e4}; }
     HEARTH_FUNCTION static constexpr momentum_model model() { return momentum_model::a; }
 

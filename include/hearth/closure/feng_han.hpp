@@ -8,7 +8,7 @@
 namespace hearth::closure {
 
 /// View factors between equal spheres of a random packed bed, with the shading by all others.
-/// Feng, Han, Int. J. Heat Mass Transfer 55 (2012) 6374, doi:10.1016/j.ijheatmasstransfer.2012.06.064.
+/// Feng, Han, Int. J. Heat Mass Transfer 55 (2012) 6374.
 struct feng_han {
     class monte_carlo_fit;
 };

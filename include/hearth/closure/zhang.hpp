@@ -26,6 +26,7 @@ struct zhang {
     struct constriction;
     struct series;
     struct micro_gap;
+    using paper = series;  ///< what Eqs. 2 and 3 say if taken by the letter
 
     /// k_m = 2 k1 k2 / (k1 + k2) [W/(m K)].
     template <class Scalar>
