@@ -38,19 +38,20 @@ film_pair<double> steel_in_air(double gap) { return {gap, 0.0099, 0.0099, 45, 45
 
 TEST_CASE("gas_film: eight nodes agree with the integral") {
     double worst = 0;
-    for (const double ratio : {1.0, 10.0, 100.0, 1e3, 1e4, 1e5})
-        for (const double half_gap : {-3e-2, -1e-3, -1e-5, -1e-7, 0.0, 1e-7, 1e-5, 1e-3, 1e-2, 0.1, 0.5})
-            for (const double void_fraction : {0.1, 0.35, 0.4, 0.7, 0.9, 1.0})
+    for (const long double ratio : {1.0L, 10.0L, 100.0L, 1e3L, 1e4L, 1e5L})
+        for (const long double half_gap :
+             {-3e-2L, -1e-3L, -1e-5L, -1e-7L, 0.0L, 1e-7L, 1e-5L, 1e-3L, 1e-2L, 0.1L, 0.5L})
+            for (const long double void_fraction : {0.1L, 0.35L, 0.4L, 0.7L, 0.9L, 1.0L})
                 for (const long double faces : {1.0L, 2.0L}) {
                     CAPTURE(ratio);
                     CAPTURE(half_gap);
                     CAPTURE(void_fraction);
-                    const long double solid = faces / static_cast<long double>(ratio);
+                    const long double solid = faces / ratio;
                     const long double exact = film_integral(half_gap, void_fraction, solid, faces);
                     const long double eight = gas_film::shape<long double>(1, half_gap, void_fraction, solid, faces);
                     const double error = static_cast<double>(std::fabs(eight / exact - 1));
                     CHECK(error <= 1e-5);  // as the header says
-                    if (ratio > 5 && ratio < 5e3) CHECK(error <= 2e-6);
+                    if (ratio > 5 && ratio < 5e3L) CHECK(error <= 2e-6);
                     worst = std::max(worst, error);
                 }
     CHECK(worst > 1e-7);  // the oracle is another rule, not the same one

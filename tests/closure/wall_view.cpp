@@ -19,7 +19,8 @@ constexpr double coverage[][2]{{0.63687, 0.9722}, {0.61780, 0.8819}, {0.59292, 0
 
 TEST_CASE("wall_view::closed: the touching particles together see a black wall once") {
     CHECK(pi * 0.85 * wall_view::closed::with_coverage(0.85).view_factor(0.5) == doctest::Approx(1).epsilon(1e-15));
-    for (const auto& [solid_fraction, touching] : coverage) {
+    for (const auto& row : coverage) {
+        const double solid_fraction = row[0], touching = row[1];
         CAPTURE(solid_fraction);
         // what the fit of the coverage leaves
         CHECK(pi * touching * wall_view::closed(solid_fraction).view_factor(0.5) == doctest::Approx(1).epsilon(0.02));
@@ -28,7 +29,8 @@ TEST_CASE("wall_view::closed: the touching particles together see a black wall o
 
 TEST_CASE("wall_view::paper: 0.5 makes the wall more than black") {
     CHECK(wall_view::paper::view_factor(0.5) == 0.5);
-    for (const auto& [solid_fraction, touching] : coverage) {
+    for (const auto& row : coverage) {
+        const double touching = row[1];
         const double exchange = pi * touching * wall_view::paper::view_factor(0.5);
         CHECK(exchange > 1.2);
         CHECK(exchange < 1.54);
