@@ -1,74 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include <cstring>
-#include <type_traits>
 
+#include "archive.hpp"
 #include "implementation.hpp"
 
 namespace hearth::dem {
+
+using detail::checksum;
+using detail::reader;
+using detail::writer;
+
 namespace {
 
 constexpr std::uint64_t magic = 0x3130'6d65'6468'7265u;  // what it is, and its version
-
-/// FNV-1a over eight bytes at a time; http://www.isthe.com/chongo/tech/comp/fnv.
-std::uint64_t checksum(const char* bytes, std::size_t count) {
-    std::uint64_t sum = 0xcbf29ce484222325u;
-    for (std::size_t at = 0; at < count; at += 8) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, bytes + at, std::min<std::size_t>(8, count - at));
-        sum = (sum ^ word) * 0x100000001b3u;
-        sum ^= sum >> 29;  // a multiplication moves no bit down
-    }
-    return sum;
-}
-
-class writer {
-  public:
-    template <class Value>
-    void operator()(const Value& value) {
-        static_assert(std::is_trivially_copyable_v<Value>);
-        const auto* bytes = reinterpret_cast<const char*>(&value);
-        out.insert(out.end(), bytes, bytes + sizeof(Value));
-    }
-    template <class Value>
-    void operator()(const std::vector<Value>& values) {
-        static_assert(std::is_trivially_copyable_v<Value>);
-        (*this)(static_cast<std::uint64_t>(values.size()));
-        const auto* bytes = reinterpret_cast<const char*>(values.data());
-        out.insert(out.end(), bytes, bytes + values.size() * sizeof(Value));
-    }
-
-    std::vector<char> out;
-};
-
-class reader {
-  public:
-    reader(const char* bytes, std::size_t count) : bytes_(bytes), left_(count) {}
-
-    template <class Value>
-    void operator()(Value& value) {
-        take(&value, sizeof(Value));
-    }
-    template <class Value>
-    void operator()(std::vector<Value>& values) {
-        std::uint64_t count = 0;
-        (*this)(count);
-        if (count > left_ / sizeof(Value)) throw state_error("hearth: the state of a bed ends too early");
-        values.resize(static_cast<std::size_t>(count));
-        if (count > 0) take(values.data(), values.size() * sizeof(Value));
-    }
-    bool at_end() const { return left_ == 0; }
-
-  private:
-    void take(void* to, std::size_t count) {
-        if (count > left_) throw state_error("hearth: the state of a bed ends too early");
-        std::memcpy(to, bytes_, count);
-        bytes_ += count;
-        left_ -= count;
-    }
-
-    const char* bytes_;
-    std::size_t left_;
-};
 
 }  // namespace
 
