@@ -19,6 +19,7 @@
 #include <hearth/voidage/transfer_operator.hpp>
 
 #include "burnt_gas.hpp"
+#include "flat.hpp"
 #include "gas_at_particles.hpp"
 #include "plug_bed.hpp"
 
@@ -194,8 +195,65 @@ struct furnace::parts {
         gas.bed.particle_velocity.assign(solid.size(), {0, 0, -bed.speed()});
     }
 
+    /// Everything that a step takes from the one before: saving and restoring both walk this list.
+    /// part(name, array of doubles, vectors or numbers; or a number)
+    template <class Part>
+    void each_part(Part&& part) {
+        part("steps", steps);
+        part("burner_flow", burner_flow);
+        part("bed/position", bed.positions());
+        part("bed/temperature", bed.temperatures());
+        part("bed/enthalpy", bed_enthalpy);
+        part("bed/stored", stored);
+        part("bed/storage", storage);
+        part("bed/passed_mass", passed.mass);
+        part("bed/passed_enthalpy", passed.enthalpy_out);
+        part("bed/outlet_temperature", passed.outlet_temperature);
+        part("wall/ring_temperature", ring_temperature);
+        part("wall/loss", wall_loss);
+        part("gas/temperature", gas.gas.temperature);
+        part("gas/enthalpy", gas.gas.enthalpy);
+        part("gas/mass_fraction", gas.gas.mass_fraction);
+        part("gas/density", gas.gas.density);
+        part("gas/viscosity", gas.gas.viscosity);
+        part("gas/conductivity", gas.gas.conductivity);
+        part("gas/specific_heat", gas.gas.specific_heat);
+        part("gas/kinetic", gas.gas.kinetic);
+        part("gas/dissipation", gas.gas.dissipation);
+        part("gas/eddy_viscosity", gas.gas.eddy_viscosity);
+        part("gas/pressure", gas.gas.flow.pressure);
+        part("gas/velocity", gas.gas.flow.velocity);
+        part("gas/mass_flux", gas.gas.flow.mass_flux);
+        part("gas/pressure_gradient", gas.gas.flow.pressure_gradient);
+        part("gas/enthalpy_in", gas_report.enthalpy.in);
+        part("gas/enthalpy_out", gas_report.enthalpy.out);
+        gas.each_memory([&](const char* name, auto& value) { part(std::string("gas/") + name, value); });
+        part("seconds", seconds);
+        part("coupling_seconds", coupling_seconds);
+    }
+
+    void restore(const saved_state& saved) {
+        const auto find = [&](const std::string& name, std::size_t size) -> const std::vector<double>& {
+            const auto found = saved.find(name);
+            if (found == saved.end()) throw bad_scene("the state lacks " + name);
+            if (size != 0 && found->second.size() != size) {
+                throw bad_scene("the state has " + std::to_string(found->second.size()) + " numbers of " + name + ", expected: " +
+                                std::to_string(size));
+            }
+            return found->second;
+        };
+        each_part([&](const std::string& name, auto& value) { find(name, flat_size(value)); });
+        const double flow = burner_flow;
+        each_part([&](const std::string& name, auto& value) { from_flat(find(name, 0), value); });
+        if (burner_flow != flow) set_burners(burner_flow);
+        const double spent = coupling_seconds;
+        place_bed();
+        coupling_seconds = spent;
+    }
+
     void step() {
         const auto begin = std::chrono::steady_clock::now();
+        gas.forget_levels();  // so that a step depends on what each_part lists alone
         passed = bed.sink(process_step);
         place_bed();
         const double model_step = process_step / clock.factor(0);
@@ -324,6 +382,14 @@ int furnace::steps_done() const { return parts_->steps; }
 int furnace::steps_planned() const { return parts_->scene.time.couplings; }
 const shaft_profile& furnace::profile() const { return parts_->profile; }
 void furnace::set_burner_flow(double mass_flow) { parts_->set_burners(mass_flow); }
+
+saved_state furnace::save() const {
+    saved_state saved;
+    parts_->each_part([&](const std::string& name, auto& value) { saved[name] = to_flat(value); });
+    return saved;
+}
+
+void furnace::restore(const saved_state& saved) { parts_->restore(saved); }
 
 status furnace::now() const {
     const parts& p = *parts_;

@@ -54,6 +54,7 @@ class plug_bed {
     double height() const { return height_; }
     double shaft_radius() const { return shaft_radius_; }
     const std::vector<std::array<double, 3>>& positions() const { return positions_; }
+    std::vector<std::array<double, 3>>& positions() { return positions_; }
     const std::vector<double>& temperatures() const { return temperatures_; }
     std::vector<double>& temperatures() { return temperatures_; }
 

@@ -77,3 +77,39 @@ TEST_CASE("column: without fuel it cools towards what enters; a scene that it ca
     scene.bed.motion = bed_motion::dem;
     CHECK_THROWS_AS(furnace{scene}, bad_scene);
 }
+
+TEST_CASE("column: a furnace that restores a state goes on as the one that saved it, bit for bit") {
+    settings scene = coarse_column();
+    scene.time.couplings = 6;
+    scene.time.residence_times = 0.05;
+    furnace first(scene);
+    for (int k = 0; k < 2; ++k) first.step();
+    first.set_burner_flow(0.15);
+    first.step();
+    const saved_state saved = first.save();
+    furnace second(scene);
+    second.restore(saved);
+    CHECK(second.steps_done() == 3);
+    CHECK(second.save() == saved);
+    while (!first.done()) first.step();
+    while (!second.done()) second.step();
+    saved_state one = first.save(), other = second.save();
+    for (const char* clock : {"seconds", "coupling_seconds"}) {
+        one.erase(clock);
+        other.erase(clock);
+    }
+    CHECK(one == other);
+    CHECK(first.now().enthalpy_imbalance == second.now().enthalpy_imbalance);
+    CHECK(first.now().fuel_power == second.now().fuel_power);
+
+    SUBCASE("what does not fit is refused, and changes nothing") {
+        saved_state lacking = saved, shorter = saved;
+        lacking.erase("gas/enthalpy");
+        shorter["bed/temperature"].pop_back();
+        CHECK_THROWS_WITH_AS(second.restore(lacking), "the state lacks gas/enthalpy", bad_scene);
+        CHECK_THROWS_AS(second.restore(shorter), bad_scene);
+        saved_state after = second.save();
+        for (const char* clock : {"seconds", "coupling_seconds"}) after.erase(clock);
+        CHECK(after == other);
+    }
+}

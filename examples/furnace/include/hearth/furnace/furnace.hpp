@@ -1,30 +1,40 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <hearth/furnace/settings.hpp>
 #include <hearth/furnace/shaft_profile.hpp>
+#include <hearth/furnace/snapshot.hpp>
+#include <hearth/furnace/summary.hpp>
 
 namespace hearth::furnace {
 
-/// The furnace at one moment, for who reads it.
-struct snapshot {
-    double process_time = 0;                        ///< [s]
-    std::vector<std::array<double, 3>> particle_position;  ///< of parcels [m]
-    std::vector<double> particle_temperature;       ///< [K]
-    std::vector<std::array<double, 3>> cell_centre; ///< [m]
-    std::vector<double> void_fraction;              ///< [-]
-    std::vector<double> gas_temperature;            ///< [K]
-    std::vector<double> pressure;                   ///< absolute [Pa]
+/// Where a run is.  A scene without DEM has nothing to fill; one that starts from the one-dimensional solution ignites
+/// at once.
+enum class phase {
+    fill,      ///< DEM fills the shaft and records how the bed moves
+    ignite,    ///< first gas flow and temperatures
+    couple,    ///< the planned couplings of gas and bed
+    converge,  ///< more of them, until the balance of enthalpy holds and the outlets stand still
+    report     ///< nothing is left to do
 };
+constexpr const char* name(phase p) {
+    constexpr const char* names[] = {"fill", "ignite", "couple", "converge", "report"};
+    return names[static_cast<int>(p)];
+}
 
-/// What a person watches, and what a run ends with.  Powers are rates by the process's clock.
+/// What a person watches.  Powers are rates by the process's clock.
 struct status {
+    phase now = phase::fill;
+    double share_done = 0;                 ///< of the present phase, 0 to 1 [-]
+    double share_of_run = 0;               ///< of all, by expected run time, 0 to 1 [-]
+    int couplings = 0;                     ///< so far
     double process_time = 0;               ///< [s]
+    double fill_level = 0;                 ///< of the bed in the fill phase [m]
     double peak_particle_temperature = 0;  ///< [K]
     double peak_height = 0;                ///< [m]
     double maximum_gas_temperature = 0;    ///< [K]
@@ -41,11 +51,27 @@ struct status {
     double coupling_share = 0;             ///< of the wall time: voidage and transfer between particles and cells [-]
 };
 
+/// What a scene will build and cost, before anything is built.
+struct plan {
+    std::int64_t cells = 0, parcels = 0, particles = 0;  ///< particles: stones that the parcels stand for
+    int couplings = 0;
+    double memory = 0;   ///< [bytes]
+    double seconds = 0;  ///< of one core like those that this was measured on, +-50 % [s]
+    struct omission {
+        std::string what;     ///< physics that the scene leaves out
+        std::string because;  ///< the key that says so
+        std::string saves;    ///< memory or work
+    };
+    std::vector<omission> left_out;
+};
+/// Throws bad_scene for a scene that cannot be built.
+plan foresee(const settings& scene);
+
 /// The reference furnace as a library: a scene becomes a furnace, which steps and can be looked at.
 ///
 ///     hearth::furnace::furnace shaft(hearth::furnace::read_scene("column.toml"));
 ///     while (!shaft.done()) shaft.step();
-///     const auto now = shaft.now();
+///     const auto end = shaft.summarise();
 ///
 /// Throws bad_scene for a scene that it cannot run.
 class furnace {
@@ -54,18 +80,30 @@ class furnace {
     ~furnace();
     furnace(furnace&&) noexcept;
 
-    /// One coupling: the bed moves, then gas and particles exchange for the process time between couplings.
+    /// A piece of the present phase, below a second or so of work in the scenes that come with it: some steps of DEM, or
+    /// one coupling, in which the bed moves and gas and particles exchange for the process time between couplings.
     void step();
-    int steps_done() const;
-    int steps_planned() const;
-    bool done() const { return steps_done() >= steps_planned(); }
+    phase current() const;
+    int steps_done() const;     ///< couplings so far
+    int steps_planned() const;  ///< couplings of the couple phase
+    bool done() const { return current() == phase::report; }
 
+    const settings& scene() const;
     status now() const;
     snapshot look() const;
+    cell_shapes cells() const;
+    axial_profile axial(int slices = 100) const;
+    summary summarise() const;
     const shaft_profile& profile() const;  ///< the one-dimensional solution of the scene
 
     /// Changes the burners while the furnace runs: premixed gas of all burners [kg/s].
     void set_burner_flow(double mass_flow);
+
+    /// For checkpoints; between two steps, in any phase.
+    saved_state save() const;
+    /// Into a furnace of the same settings.  Throws bad_scene, with the furnace as it was, for a state of another scene or
+    /// one that lacks something.
+    void restore(const saved_state& state);
 
   private:
     struct parts;

@@ -89,6 +89,15 @@ class flow {
     /// Velocity gradients of the last iteration, three vectors per cell. [1/s]
     const array<vector3>& velocity_gradient() const { return gradient_; }
 
+    /// See solver.
+    template <class Part>
+    void each_memory(Part&& part) {
+        part("deferral", deferral_);
+        part("imbalance", imbalance_);
+        part("growing", growing_);
+    }
+    void forget_levels() { pressure_solver_.forget(); }
+
   private:
     void assemble_momentum(const flow_state&, const flow_medium&, const flow_boundary&, const flow_history&,
                            const flow_settings&);

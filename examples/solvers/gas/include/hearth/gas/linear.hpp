@@ -66,6 +66,8 @@ class symmetric_solver {
   public:
     symmetric_solver(const pattern& p, std::unique_ptr<preconditioner> m, const parallel& ranks);
     solve_report solve(const matrix& a, const double* b, double* x, const solve_settings& settings);
+    /// Builds the preconditioner anew at the next solve.
+    void forget() { fresh_rate_ = 0; }
 
   private:
     solve_report iterate(const matrix& a, const double* b, double* x, const solve_settings& settings);

@@ -106,6 +106,19 @@ class solver {
     /// Temperature and density of each cell from enthalpy, composition and pressure; call it after changing those.
     void update_properties();
 
+    /// Shows what the next iteration depends on beside gas, bed, sources and settings: part(name, array or number).  A
+    /// checkpoint holds it too.
+    template <class Part>
+    void each_memory(Part&& part) {
+        part("slip_speed", slip_speed_);
+        part("wall_viscosity", boundary_.wall_viscosity);
+        part("old_void", old_void_);
+        flow_.each_memory(part);
+    }
+    /// Builds the coarse levels of the multigrid anew at the next iteration.  They are the one thing that cannot be saved:
+    /// who restarts bit for bit calls this at moments that do not depend on when a checkpoint was made.
+    void forget_levels() { flow_.forget_levels(); }
+
     gas_fields gas;
     bed_fields bed;
     source_fields sources;
