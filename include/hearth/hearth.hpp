@@ -17,6 +17,7 @@
 #include <hearth/core/constants.hpp>
 #include <hearth/core/contact_traits.hpp>
 #include <hearth/core/csr_graph.hpp>
+#include <hearth/core/element.hpp>
 #include <hearth/core/error.hpp>
 #include <hearth/core/face_mesh.hpp>
 #include <hearth/core/find_cell.hpp>

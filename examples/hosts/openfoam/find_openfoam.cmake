@@ -41,7 +41,5 @@ foreach(part OpenFOAM OSspecific/POSIX finiteVolume meshTools surfMesh fileForma
 endforeach()
 # What Debian's build was configured with.
 target_compile_definitions(OpenFOAM::OpenFOAM INTERFACE WM_ARCH_OPTION=64 WM_DP WM_LABEL_SIZE=32 NoRepository)
-# Labels have 32 bits: the library's indices narrow to them, which these would report in OpenFOAM's own index operators.
-target_compile_options(OpenFOAM::OpenFOAM INTERFACE -Wno-conversion)
 target_link_libraries(OpenFOAM::OpenFOAM INTERFACE
     ${OpenFOAM_finiteVolume} ${OpenFOAM_meshTools} ${OpenFOAM_OpenFOAM} ${OpenFOAM_Pstream})

@@ -13,6 +13,7 @@
 
 #include <hearth/core/agree.hpp>
 #include <hearth/core/cell_graph.hpp>
+#include <hearth/core/element.hpp>
 #include <hearth/core/error.hpp>
 #include <hearth/core/find_cell.hpp>
 #include <hearth/core/mesh_traits.hpp>
@@ -49,7 +50,7 @@ class cell_locator {
             graph.require_current();
             if constexpr (has_period_v<Mesh>) {
                 const auto length = traits::period(mesh);
-                for (std::size_t a = 0; a < 3; ++a) period_[a] = static_cast<double>(length[a]);
+                for (std::size_t a = 0; a < 3; ++a) period_[a] = static_cast<double>(element(length, a));
             }
             std::vector<placed> cells = read();
             throw_agreed(graph.communicator(), wrong_);
@@ -145,17 +146,16 @@ class cell_locator {
         if (!is_lattice()) cells.reserve(static_cast<std::size_t>(graph_->cell_count()));
         for (index c = 0; c < graph_->cell_count(); ++c) {
             const auto host = static_cast<host_index>(c);
-            placed p{};
-            p.cell = c;
+            placed p{{}, {}, c};
             const auto centre = traits::centre(*mesh_, host);
             if constexpr (has_extent_v<Mesh>) {
                 const auto extent = traits::extent(*mesh_, host);
-                for (std::size_t a = 0; a < 3; ++a) p.extent[a] = static_cast<double>(extent[a]);
+                for (std::size_t a = 0; a < 3; ++a) p.extent[a] = static_cast<double>(element(extent, a));
             } else {
                 p.extent.fill(std::cbrt(graph_->volume(c)));
             }
             for (std::size_t a = 0; a < 3; ++a) {
-                p.centre[a] = static_cast<double>(centre[a]);
+                p.centre[a] = static_cast<double>(element(centre, a));
                 if (!std::isfinite(p.centre[a])) complain("centre of cell", c, p.centre[a], "finite [m]");
                 const bool positive = p.extent[a] > 0 && std::isfinite(p.extent[a]);
                 if (!positive) complain("extent of cell", c, p.extent[a], "finite and > 0 [m]");
@@ -291,8 +291,7 @@ class cell_locator {
     std::optional<bad_value> wrong_;
     point period_{0, 0, 0};
     box reach_;
-    double largest_volume_ = 0;
-    double total_volume_ = 0;
+    double largest_volume_ = 0, total_volume_ = 0;
     std::vector<level> levels_;
     std::vector<box> reach_of_ranks_;
 };

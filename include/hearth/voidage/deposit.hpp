@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <hearth/core/cell_locator.hpp>
+#include <hearth/core/element.hpp>
 #include <hearth/core/reproducible_sum.hpp>
 #include <hearth/voidage/footprints.hpp>
 #include <hearth/voidage/visitors.hpp>
@@ -219,7 +220,7 @@ deposit_report deposit_solid_fraction(const cell_locator<Mesh, Communicator>& lo
     for (std::int32_t c = 0; c < graph.cell_count(); ++c) {
         const double fraction = volumes[static_cast<std::size_t>(c)] / graph.volume(c);
         report.maximum = std::max(report.maximum, fraction);
-        auto&& target = solid_fraction[static_cast<std::size_t>(c)];
+        auto&& target = element(solid_fraction, c);
         target = static_cast<std::decay_t<decltype(target)>>(fraction);
     }
     report.maximum = graph.communicator().max(report.maximum);

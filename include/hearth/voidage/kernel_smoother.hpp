@@ -13,6 +13,7 @@
 
 #include <hearth/core/agree.hpp>
 #include <hearth/core/cell_graph.hpp>
+#include <hearth/core/element.hpp>
 #include <hearth/core/error.hpp>
 #include <hearth/voidage/chebyshev.hpp>
 #include <hearth/voidage/lattice_stencil.hpp>
@@ -143,7 +144,7 @@ class kernel_smoother {
         std::optional<bad_value> wrong;
         const double c = series_[series_.terms()];
         for (index i = 0; i < graph_->cell_count(); ++i) {
-            const auto value = static_cast<double>(field[static_cast<std::size_t>(i)]);
+            const auto value = static_cast<double>(element(field, i));
             if (!std::isfinite(value) && !wrong) {
                 wrong.emplace("field to smooth, cell", graph_->global_index(i), value, "finite");
             }
@@ -165,10 +166,10 @@ class kernel_smoother {
         for (std::uint32_t k = graph_->row_begin(cell); k < end; ++k) {
             sum += static_cast<double>(conductances[k]) * (b[neighbours[k]] - here);
         }
-        const auto at = static_cast<std::size_t>(cell);
-        const double value = term.c * static_cast<double>(input[at]) +
-                             term.factor * (here + rate_ / graph_->volume(cell) * sum) - b_before[at];
-        output[at] = static_cast<std::decay_t<decltype(output[at])>>(value);
+        const double value = term.c * static_cast<double>(element(input, cell)) +
+                             term.factor * (here + rate_ / graph_->volume(cell) * sum) - b_before[cell];
+        auto&& target = element(output, cell);
+        target = static_cast<std::decay_t<decltype(target)>>(value);
     }
 
     template <class Field>
@@ -205,8 +206,8 @@ class kernel_smoother {
     smoothing_report measure(const Field& field) const {
         double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
         for (index c = 0; c < graph_->cell_count(); ++c) {
-            lowest = std::min(lowest, static_cast<double>(field[static_cast<std::size_t>(c)]));
-            highest = std::max(highest, static_cast<double>(field[static_cast<std::size_t>(c)]));
+            lowest = std::min(lowest, static_cast<double>(element(field, c)));
+            highest = std::max(highest, static_cast<double>(element(field, c)));
         }
         return {terms(), -graph_->communicator().max(-lowest), graph_->communicator().max(highest)};
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <hearth/core/cell_graph.hpp>
+#include <hearth/core/element.hpp>
 
 namespace hearth::detail {
 
@@ -89,10 +90,10 @@ class lattice_stencil {
                 const double sum = g_[2] * (below[i] - here[i]) + g_[1] * (south[i] - here[i]) +
                                    g_[0] * (here[i - 1] - here[i]) + g_[0] * (here[i + 1] - here[i]) +
                                    g_[1] * (north[i] - here[i]) + g_[2] * (above[i] - here[i]);
-                const auto at = static_cast<std::size_t>(row + i);
-                const double value =
-                    term.c * static_cast<double>(input[at]) + term.factor * (here[i] + rate * sum) - b_before[at];
-                output[at] = static_cast<std::decay_t<decltype(output[at])>>(value);
+                const double value = term.c * static_cast<double>(element(input, row + i)) +
+                                     term.factor * (here[i] + rate * sum) - b_before[row + i];
+                auto&& target = element(output, row + i);
+                target = static_cast<std::decay_t<decltype(target)>>(value);
             }
             if (nx > 1) general(row + nx - 1, term, input, b, b_before, output);
         }

@@ -13,6 +13,7 @@
 
 #include <hearth/core/agree.hpp>
 #include <hearth/core/cell_locator.hpp>
+#include <hearth/core/element.hpp>
 #include <hearth/core/error.hpp>
 #include <hearth/voidage/deposit.hpp>
 #include <hearth/voidage/footprints.hpp>
@@ -97,8 +98,7 @@ class transfer_operator {
         report.maximum = report.cap.maximum;
 
         for (std::int32_t c = 0; c < graph().cell_count(); ++c) {
-            const auto at = static_cast<std::size_t>(c);
-            solid_fraction[at] = static_cast<value<Field>>(cells_[at]);
+            element(solid_fraction, c) = static_cast<value<Field>>(cells_[static_cast<std::size_t>(c)]);
         }
         footprints_.emplace(std::move(particles));
         ++revision_;
@@ -139,7 +139,7 @@ class transfer_operator {
             std::vector<double> values;
             std::optional<bad_value> wrong;
             for (std::size_t i = 0; i < visitors.owned_count(); ++i) {
-                values.push_back(component(particles[i], a));
+                values.push_back(component(element(particles, i), a));
                 if (!std::isfinite(values.back()) && !wrong) {
                     wrong.emplace("value of particle", visitors.owned(i).id, values.back(), "finite");
                 }
@@ -159,8 +159,7 @@ class transfer_operator {
         std::vector<std::vector<double>> result;
         for (std::size_t a = 0; a < component_count<CellValues>; ++a) {
             for (std::int32_t c = 0; c < graph().cell_count(); ++c) {
-                const auto at = static_cast<std::size_t>(c);
-                cells_[at] = component(cells[at], a);
+                cells_[static_cast<std::size_t>(c)] = component(element(cells, c), a);
             }
             cap_.gather(cells_);
             const smoothing_report smoothed = smoother_->smooth(cells_);
@@ -171,7 +170,7 @@ class transfer_operator {
 
   private:
     template <class Values>
-    using value = std::decay_t<decltype(std::declval<Values&>()[0])>;
+    using value = std::decay_t<decltype(element(std::declval<Values&>(), 0))>;
     template <class Values>
     static constexpr std::size_t component_count = std::is_arithmetic_v<value<Values>> ? 1 : 3;
 
@@ -187,19 +186,21 @@ class transfer_operator {
         if constexpr (std::is_arithmetic_v<Value>) {
             return static_cast<double>(v);
         } else {
-            return static_cast<double>(v[a]);
+            return static_cast<double>(element(v, a));
         }
     }
 
     template <class Values>
     static void write(const std::vector<std::vector<double>>& components, Values& values, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
-            auto&& target = values[i];
+            auto&& target = element(values, i);
             if constexpr (component_count<Values> == 1) {
                 target = static_cast<value<Values>>(components[0][i]);
             } else {
-                for (std::size_t a = 0; a < 3; ++a)
-                    target[a] = static_cast<std::decay_t<decltype(target[a])>>(components[a][i]);
+                for (std::size_t a = 0; a < 3; ++a) {
+                    auto&& along = element(target, a);
+                    along = static_cast<std::decay_t<decltype(along)>>(components[a][i]);
+                }
             }
         }
     }

@@ -11,6 +11,7 @@
 
 #include <hearth/core/agree.hpp>
 #include <hearth/core/cell_graph.hpp>
+#include <hearth/core/element.hpp>
 #include <hearth/core/error.hpp>
 #include <hearth/core/reproducible_sum.hpp>
 #include <hearth/voidage/vfs_cells.hpp>
@@ -141,7 +142,7 @@ class volume_fraction_smoother {
     void agree() { throw_agreed(graph().communicator(), wrong_); }
 
     template <class Field>
-    using scalar_of = std::remove_cv_t<std::remove_reference_t<decltype(std::declval<Field&>()[std::size_t{0}])>>;
+    using scalar_of = std::remove_cv_t<std::remove_reference_t<decltype(element(std::declval<Field&>(), 0))>>;
 
     /// Forgets the former call; the threshold in the precision of the field.
     template <class Field>
@@ -158,7 +159,7 @@ class volume_fraction_smoother {
 
     template <class Field>
     double read(const Field& field, index cell) {
-        const auto value = static_cast<double>(field[static_cast<std::size_t>(cell)]);
+        const auto value = static_cast<double>(element(field, cell));
         if (value >= 0 && value <= 1e100) return value;
         complain("solid fraction of cell", graph().global_index(cell), value, "0 to 1e100 [-]");
         return 0;
@@ -200,7 +201,7 @@ class volume_fraction_smoother {
         std::int64_t touched = 0;
         cells_.release(mesh_.owned(), [&](index cell) {
             const double value = cells_.fraction(cell);
-            field[static_cast<std::size_t>(cell)] = static_cast<scalar>(value);
+            element(field, cell) = static_cast<scalar>(value);
             maximum = std::max(maximum, value);
             ++touched;
         });

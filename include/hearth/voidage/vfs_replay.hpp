@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <hearth/core/element.hpp>
 #include <hearth/core/reproducible_sum.hpp>
 #include <hearth/voidage/vfs_cells.hpp>
 #include <hearth/voidage/vfs_completion.hpp>
@@ -98,10 +99,10 @@ class smoothing_replay {
     static std::size_t place(index i) { return static_cast<std::size_t>(i); }
     template <class Field>
     static auto& at(Field& field, index cell) {
-        return field[place(cell)];
+        return element(field, cell);
     }
     template <class Field>
-    using scalar_of = std::remove_reference_t<decltype(std::declval<Field&>()[std::size_t{0}])>;
+    using scalar_of = std::remove_reference_t<decltype(element(std::declval<Field&>(), 0))>;
 
     bool is_owned(index cell) const { return !is_distributed || cell < mesh_.owned(); }
     std::size_t row_bytes(index cell) const {
@@ -159,7 +160,7 @@ class smoothing_replay {
         const auto& halo = mesh_.graph().halo();
         std::vector<double> buffer;
         buffer.reserve(halo.export_cells().size());
-        for (const index cell : halo.export_cells()) buffer.push_back(static_cast<double>(field[place(cell)]));
+        for (const index cell : halo.export_cells()) buffer.push_back(static_cast<double>(element(field, cell)));
         auto request = halo.communicator().begin(buffer.data(), halo.exports(), ghosts_.data(), halo.imports());
         halo.communicator().end(request);
     }

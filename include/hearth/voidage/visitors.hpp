@@ -13,6 +13,7 @@
 #include <hearth/core/agree.hpp>
 #include <hearth/core/cell_locator.hpp>
 #include <hearth/core/constants.hpp>
+#include <hearth/core/element.hpp>
 #include <hearth/core/error.hpp>
 #include <hearth/core/particle_traits.hpp>
 #include <hearth/core/unique_ids.hpp>
@@ -138,7 +139,7 @@ class visitors {
             v.id = particle_global_index(cloud, i);
             const auto position = traits::get(quantity::position{}, cloud, i);
             for (std::size_t a = 0; a < 3; ++a) {
-                v.position[a] = static_cast<double>(position[a]);
+                v.position[a] = static_cast<double>(element(position, a));
                 if (!std::isfinite(v.position[a])) complain("position of particle", v.id, v.position[a], "finite [m]");
             }
             v.radius = static_cast<double>(traits::get(quantity::radius{}, cloud, i));
