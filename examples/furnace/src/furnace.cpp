@@ -378,6 +378,8 @@ furnace::~furnace() = default;
 furnace::furnace(furnace&&) noexcept = default;
 
 void furnace::step() { parts_->step(); }
+phase furnace::current() const { return parts_->steps < parts_->scene.time.couplings ? phase::couple : phase::report; }
+const settings& furnace::scene() const { return parts_->scene; }
 int furnace::steps_done() const { return parts_->steps; }
 int furnace::steps_planned() const { return parts_->scene.time.couplings; }
 const shaft_profile& furnace::profile() const { return parts_->profile; }
@@ -394,6 +396,9 @@ void furnace::restore(const saved_state& saved) { parts_->restore(saved); }
 status furnace::now() const {
     const parts& p = *parts_;
     status s;
+    s.now = current();
+    s.couplings = p.steps;
+    s.share_done = s.share_of_run = static_cast<double>(p.steps) / p.scene.time.couplings;
     s.process_time = p.process_step * p.steps;
     const auto& t = p.bed.temperatures();
     const auto peak = std::max_element(t.begin(), t.end());

@@ -45,10 +45,7 @@ struct axial_profile {
 };
 
 /// All that the next step depends on, by name: a furnace that restores it goes on as if it had never stopped, bit for bit.
-struct saved_state {
-    std::uint64_t scene = 0;  ///< hash of the settings
-    std::map<std::string, std::vector<double>> numbers;
-    std::map<std::string, std::vector<char>> bytes;
-};
+/// DEM's state is bytes; they are held in the numbers' bits.  Wall times are in it too, under "seconds".
+using saved_state = std::map<std::string, std::vector<double>>;
 
 }  // namespace hearth::furnace
