@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -72,5 +73,21 @@ class reader {
     const char* bytes_;
     std::size_t left_;
 };
+
+/// Behind the kind of a state whose last word is its checksum.  Throws state_error that says of what.
+inline reader opened(const std::vector<char>& state, std::uint64_t kind, const std::string& of) {
+    std::uint64_t sum = 0, found = 0;
+    if (state.size() < 2 * sizeof sum)
+        throw state_error("hearth: this is no state of " + of + ": " + std::to_string(state.size()) + " bytes");
+    const std::size_t length = state.size() - sizeof sum;
+    std::memcpy(&found, state.data(), sizeof found);
+    std::memcpy(&sum, state.data() + length, sizeof sum);
+    if (found != kind) throw state_error("hearth: this is no state of " + of + " of this version");
+    if (sum != checksum(state.data(), length))
+        throw state_error("hearth: the state of " + of + " is damaged: its checksum differs");
+    reader archive(state.data(), length);
+    archive(found);
+    return archive;
+}
 
 }  // namespace hearth::dem::detail

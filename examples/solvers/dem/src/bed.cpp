@@ -68,6 +68,7 @@ void bed::set_wall_open(int wall_number, bool open) {
     w.open = open;
     self_->listed = self_->loaded = false;
 }
+bool bed::wall_open(int n) const { return self_->walls.at(static_cast<std::size_t>(n)).open; }
 void bed::set_patch_temperature(int patch, double kelvin) {
     check(kelvin > 0 && std::isfinite(kelvin), "temperature of patch", kelvin, "finite and > 0 [K]", patch);
     patch_temperature(patch);  // there must be one

@@ -5,29 +5,58 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
-#include <utility>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <hearth/dem/particles.hpp>
 
+#include "quantile.hpp"
+
 namespace hearth::dem::detail {
 
 /// Equal cubic cells over the bed, x fastest.  Points outside belong to the cells at the border, which keeps neighbours in
-/// neighbouring cells: no particle can be lost, however far it flies.
+/// neighbouring cells: no particle can be lost, however far it flies.  A rank can look at a part of the cells.
 class cell_grid {
   public:
-    /// Cells at least `size` wide over `count` centres; at most about as many cells as particles in a dense bed.
-    cell_grid(const sphere* spheres, std::size_t count, double size) {
-        const std::size_t most = 4 * count + 64;
-        for (int a = 0; a < 3; ++a) std::tie(low_[a], high_[a]) = extent(spheres, count, a, 0.0);
-        if (cells_of(size) > static_cast<double>(most)) {
-            // A few strays far away must not make the cells of all others huge.
-            for (int a = 0; a < 3; ++a) std::tie(low_[a], high_[a]) = extent(spheres, count, a, 1e-3);
+    /// Cells at least `size` wide over the centres of all ranks; at most about as many cells as particles in a dense bed.
+    template <class Centre>
+    cell_grid(std::size_t count, const Centre& centre, double size, const ranks& among) {
+        const std::int64_t everybody = among.sum(static_cast<std::int64_t>(count));
+        const double most = 4.0 * static_cast<double>(everybody) + 64;
+        if (everybody > 0) {
+            for (int a = 0; a < 3; ++a) {
+                low_[a] = std::numeric_limits<double>::max();
+                high_[a] = -low_[a];
+                for (std::size_t i = 0; i < count; ++i) {
+                    low_[a] = std::fmin(low_[a], centre(i)[a]);
+                    high_[a] = std::fmax(high_[a], centre(i)[a]);
+                }
+                low_[a] = among.min(low_[a]);
+                high_[a] = among.max(high_[a]);
+            }
         }
-        while (cells_of(size) > static_cast<double>(most)) size *= 1.26;
+        if (cells_of(size) > most) {
+            // A few strays far away must not make the cells of all others huge: a thousandth at either end is left out.
+            const std::int64_t few = everybody / 1000 + 1;
+            for (int a = 0; a < 3; ++a) {
+                const auto along_axis = [&](std::size_t i) { return centre(i)[a]; };
+                const double low = quantile(count, along_axis, low_[a], high_[a], few, among);
+                const double high = quantile(count, along_axis, low_[a], high_[a], everybody - few, among);
+                low_[a] = std::fmin(low, high);
+                high_[a] = std::fmax(low, high);
+            }
+        }
+        while (cells_of(size) > most) size *= 1.26;
         inverse_size_ = 1 / size;
         for (int a = 0; a < 3; ++a) n_[at(a)] = static_cast<index>((high_[a] - low_[a]) * inverse_size_) + 1;
+    }
+
+    /// From here on only the cells between two coordinates; those beyond belong to the cells at the border.
+    void narrow(int axis, double low, double high) {
+        const index first = along(axis, low), last = along(axis, high);
+        first_[at(axis)] = first;
+        n_[at(axis)] = last - first + 1;
     }
 
     double inverse_size() const { return inverse_size_; }
@@ -36,17 +65,20 @@ class cell_grid {
     index number(index x, index y, index z) const { return (z * n_[1] + y) * n_[0] + x; }
 
     index along(int axis, double coordinate) const {
-        const double c = (coordinate - low_[axis]) * inverse_size_;
+        const double c = std::floor((coordinate - low_[axis]) * inverse_size_) - first_[at(axis)];
         return c > 0 ? static_cast<index>(std::fmin(c, n_[at(axis)] - 1)) : 0;
     }
     index cell(const vector3& p) const { return number(along(0, p.x), along(1, p.y), along(2, p.z)); }
 
-    /// Counting sort of points into cells: order[new place] = old place, stable; and where each cell starts.
-    void sort(const sphere* spheres, std::size_t count, std::vector<index>& order, std::vector<index>& start) const {
+    /// Counting sort of points into cells: order[new place] = old place, and where each cell starts.  Within a cell the
+    /// order is that of the ids.
+    template <class Centre, class Id>
+    void sort(std::size_t count, const Centre& centre, const Id& id, std::vector<index>& order,
+              std::vector<index>& start) const {
         std::vector<index> key(count);
         start.assign(static_cast<std::size_t>(cells()) + 1, 0);
         for (std::size_t i = 0; i < count; ++i) {
-            key[i] = cell(spheres[i].centre);
+            key[i] = cell(centre(i));
             ++start[static_cast<std::size_t>(key[i]) + 1];
         }
         for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
@@ -56,32 +88,16 @@ class cell_grid {
         }
         for (std::size_t c = start.size() - 1; c > 0; --c) start[c] = start[c - 1];
         start[0] = 0;
+        for (std::size_t c = 0; c + 1 < start.size(); ++c) {
+            if (start[c + 1] - start[c] < 2) continue;
+            std::sort(order.begin() + start[c], order.begin() + start[c + 1], [&](index a, index b) {
+                return id(static_cast<std::size_t>(a)) < id(static_cast<std::size_t>(b));
+            });
+        }
     }
 
   private:
     static constexpr std::size_t at(int axis) { return static_cast<std::size_t>(axis); }
-
-    /// Range of coordinates without the given share at either end.
-    static std::pair<double, double> extent(const sphere* spheres, std::size_t count, int axis, double share) {
-        if (count == 0) return {0.0, 0.0};
-        if (share == 0.0) {
-            double low = spheres[0].centre[axis], high = low;
-            for (std::size_t i = 1; i < count; ++i) {
-                low = std::fmin(low, spheres[i].centre[axis]);
-                high = std::fmax(high, spheres[i].centre[axis]);
-            }
-            return {low, high};
-        }
-        std::vector<double> values(count);
-        for (std::size_t i = 0; i < count; ++i) values[i] = spheres[i].centre[axis];
-        const auto skip = static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(count)));
-        const auto first = values.begin() + std::min<std::ptrdiff_t>(skip, static_cast<std::ptrdiff_t>(count) - 1);
-        const auto last = values.end() - 1 - std::min<std::ptrdiff_t>(skip, static_cast<std::ptrdiff_t>(count) - 1);
-        std::nth_element(values.begin(), first, values.end());
-        const double low = *first;
-        std::nth_element(values.begin(), last, values.end());
-        return {std::fmin(low, *last), std::fmax(low, *last)};
-    }
 
     double cells_of(double size) const {
         double product = 1;
@@ -91,7 +107,7 @@ class cell_grid {
 
     vector3 low_, high_;
     double inverse_size_ = 1;
-    std::array<index, 3> n_{1, 1, 1};
+    std::array<index, 3> n_{1, 1, 1}, first_{0, 0, 0};
 };
 
 }  // namespace hearth::dem::detail

@@ -4,45 +4,28 @@
 
 #include "check.hpp"
 #include "implementation.hpp"
+#include "near_rows.hpp"
 
 namespace hearth::dem {
 
 /// All pairs of centres within `reach`, each in the row of the earlier place.
 void bed::implementation::build_near(double reach) const {
     const std::size_t n = particles.owned;
-    detail::cell_grid grid(particles.spheres.data(), n, reach / 3);  // finer cells than the reach: fewer tests
-    const auto wide = static_cast<index>(std::ceil(reach * grid.inverse_size() - 1e-12));
-    std::vector<index> order, start;
-    grid.sort(particles.spheres.data(), n, order, start);
+    detail::fine_cells cells(particles.spheres.data(), n, reach);
     near_list& list = near.list;
     list.start.assign(1, 0);
     list.second.clear();
-    list.current = order;
+    list.current = std::move(cells.order);
     near.centres.resize(n);
     for (std::size_t a = 0; a < n; ++a) {
-        const auto i = static_cast<std::size_t>(order[a]);
+        const auto i = static_cast<std::size_t>(list.current[a]);
         near.centres[a] = particles.spheres[i].centre;
         particles.near_places[i] = static_cast<index>(a);
     }
-    std::vector<index> found;
-    for (std::size_t a = 0; a < n; ++a) {
-        const vector3 x = near.centres[a];
-        std::size_t count = 0;
-        detail::for_each_run(grid, start, grid.along(0, x.x), grid.along(1, x.y), grid.along(2, x.z), wide, true,
-                             [&](index begin, index end) {
-                                 const index from = std::max(begin, static_cast<index>(a) + 1);
-                                 if (end <= from) return;
-                                 const std::size_t room = count + static_cast<std::size_t>(end - from);
-                                 if (found.size() < room) found.resize(2 * room);
-                                 for (index b = from; b < end; ++b) {
-                                     const vector3 d = near.centres[static_cast<std::size_t>(b)] - x;
-                                     found[count] = b;
-                                     count += dot(d, d) < reach * reach ? 1u : 0u;
-                                 }
-                             });
-        list.second.insert(list.second.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
+    detail::for_each_near_row(cells, near.centres, reach, [&](index, const index* places, std::size_t count) {
+        list.second.insert(list.second.end(), places, places + count);
         list.start.push_back(static_cast<std::uint32_t>(list.second.size()));
-    }
+    });
     near.reach = reach;
     near.revision = revision;
     ++near.rebuilds;

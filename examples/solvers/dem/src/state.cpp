@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <cstring>
-
 #include "archive.hpp"
 #include "implementation.hpp"
 
 namespace hearth::dem {
 
 using detail::checksum;
-using detail::reader;
 using detail::writer;
 
 namespace {
@@ -98,15 +95,7 @@ std::vector<char> bed::state() const {
 }
 
 void bed::restore(const std::vector<char>& state) {
-    std::uint64_t sum = 0, kind = 0;
-    if (state.size() < 2 * sizeof sum) throw state_error("hearth: this is no state of a bed: " + std::to_string(state.size()) + " bytes");
-    const std::size_t length = state.size() - sizeof sum;
-    std::memcpy(&kind, state.data(), sizeof kind);
-    std::memcpy(&sum, state.data() + length, sizeof sum);
-    if (kind != magic) throw state_error("hearth: this is no state of a bed of this version");
-    if (sum != checksum(state.data(), length)) throw state_error("hearth: the state of a bed is damaged: its checksum differs");
-    reader archive(state.data(), length);
-    archive(kind);
+    detail::reader archive = detail::opened(state, magic, "a bed");
     std::vector<double> made_with, have;
     archive(made_with);
     self_->each_setting([&](double v) { have.push_back(v); });

@@ -52,6 +52,7 @@ class bed {
     void set_motion(int wall_number, const wall_motion& motion);
     /// An open wall touches nobody.
     void set_wall_open(int wall_number, bool open);
+    bool wall_open(int wall_number) const;
     /// Temperature of all walls of a patch.
     void set_patch_temperature(int patch, double kelvin);
     double patch_temperature(int patch) const;

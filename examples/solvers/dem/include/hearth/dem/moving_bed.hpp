@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <hearth/core/contact_traits.hpp>
+#include <hearth/core/particle_traits.hpp>
+
+#include <hearth/dem/feed.hpp>
+
+/// Beds that are moved by a rule instead of by forces, for as long as asked, on the clock of the process.
+namespace hearth::dem {
+
+/// What the spheres of a bed are made of for one another, and the walls around them.
+struct surroundings {
+    contact_law law;
+    std::vector<wall> walls;
+    std::vector<contact_law> wall_laws;
+
+    /// Those of a bed, without its open walls.  Throws bad_value for a wall that moves and is no belt.
+    static surroundings of(const bed& b);
+};
+
+/// What a move did to the particles.  They stay the same particles; only their indices change.
+struct passage {
+    static constexpr index fed = -1;
+    struct leaver {
+        index from;       ///< its index before the move; `fed` if it came and left in the same move
+        std::int64_t id;
+        double mass;      ///< [kg]
+    };
+
+    std::vector<index> origin;  ///< of each particle that there is now: its index before, or `fed`
+    std::vector<leaver> left;   ///< in the order of leaving
+    double mass_in = 0, mass_out = 0;  ///< [kg]
+
+    /// Takes what belongs to particles (temperature, moisture, ...) along.
+    template <class Value>
+    void carry(std::vector<Value>& values, const Value& of_feed) const {
+        std::vector<Value> now(origin.size(), of_feed);
+        for (std::size_t i = 0; i < origin.size(); ++i)
+            if (origin[i] != fed) now[i] = values[static_cast<std::size_t>(origin[i])];
+        values.swap(now);
+    }
+};
+
+/// A bed that is fed on top and taken from below at a mass flow.  A particle is a mass and an id; it sits where a sphere is.
+///
+/// Mass is exact: what has left and what is due make up mass flow times time, and what has come in, less what has left, is
+/// what the bed holds more.  Contacts have the elastic force of the motion's (softened) law at the overlap.
+class moving_bed {
+  public:
+    struct ledger {
+        double due = 0;           ///< mass that should have left and has not [kg]; below 0: left early
+        double in = 0, out = 0;   ///< since the start [kg]
+        std::int64_t next_id = 0;
+        std::uint64_t place = 0;  ///< in the motion that is repeated
+    };
+
+    virtual ~moving_bed() = default;
+    /// Moves on by so many seconds of the process.  Throws bad_value with the bed as it was.
+    passage advance(double seconds);
+    /// Mean velocity, on the clock of the process, where a particle is now [m/s].
+    virtual vector3 velocity(index i) const = 0;
+
+    double mass_flow() const { return mass_flow_; }
+    /// From now on [kg/s].  Throws bad_value.
+    void set_mass_flow(double kg_per_s);
+
+    index size() const { return static_cast<index>(spheres_.size()); }
+    const std::vector<sphere>& spheres() const { return spheres_; }
+    const std::vector<double>& masses() const { return masses_; }
+    const std::vector<std::int64_t>& ids() const { return ids_; }
+    const ledger& now() const { return ledger_; }
+    double total_mass() const;
+    /// Grows with each move.
+    std::uint64_t revision() const { return revision_; }
+
+    const surroundings& around() const { return around_; }
+    /// Of all walls of a patch.  Throws bad_value where there is none.
+    void set_patch_temperature(int patch, double kelvin);
+    double patch_temperature(int patch) const;
+
+    /// Pairs of centres closer than factor * (R_i + R_j), each once; found anew after a move, or for a larger factor.
+    template <class Visit>
+    void for_each_near(double factor, Visit&& visit) const {
+        for (const bed::pair& p : pairs_within(factor)) {
+            const sphere &a = at(p.i), &b = at(p.j);
+            const double distance = norm(a.centre - b.centre);
+            if (distance < factor * (a.radius + b.radius)) visit(p.i, p.j, distance);
+        }
+    }
+    /// visit(i, j, elastic normal force [N], overlap [m], point [m])
+    template <class Visit>
+    void for_each_contact(Visit&& visit) const {
+        for_each_near(1.0, [&](index i, index j, double distance) {
+            const double ri = at(i).radius, rj = at(j).radius, overlap = ri + rj - distance;
+            const double force = around_.law.normal_stiffness * std::sqrt(ri * rj / (ri + rj) * overlap) * overlap;
+            const vector3 d = at(i).centre - at(j).centre;
+            visit(i, j, force, overlap, at(i).centre - ((ri - overlap * rj / (ri + rj)) / distance) * d);
+        });
+    }
+    std::vector<bed::touch> wall_touches() const;
+    /// visit(i, wall number, distance of the centre to the wall [m]), distance below factor * 2 R_i.
+    template <class Visit>
+    void for_each_near_wall(double factor, Visit&& visit) const {
+        for (std::size_t w = 0; w < around_.walls.size(); ++w) {
+            for (index i = 0; i < size(); ++i) {
+                const double distance = distance_to_wall(i, w);
+                if (distance < factor * 2 * at(i).radius) visit(i, static_cast<int>(w), distance);
+            }
+        }
+    }
+
+    /// All that the next move depends on but what the bed was made of, with a checksum; in the byte order of this machine.
+    std::vector<char> state() const;
+    /// Into a bed made of the same.  Throws state_error with the bed as it was.
+    void restore(const std::vector<char>& state);
+
+  protected:
+    moving_bed(std::vector<sphere> spheres, std::vector<double> masses, surroundings around, double mass_flow);
+    moving_bed(const moving_bed&) = default;
+    moving_bed& operator=(const moving_bed&) = default;
+
+    /// Fills `done`, whose origin is that of no move; due is already raised.
+    virtual void move(double seconds, passage& done) = 0;
+    /// Tells what a bed was made of from what another one was.
+    virtual std::uint64_t fingerprint() const = 0;
+
+    const sphere& at(index i) const { return spheres_[static_cast<std::size_t>(i)]; }
+
+    std::vector<sphere> spheres_;
+    std::vector<double> masses_;
+    std::vector<std::int64_t> ids_;
+    ledger ledger_;
+    double mass_flow_ = 0;
+
+  private:
+    const std::vector<bed::pair>& pairs_within(double factor) const;
+    double distance_to_wall(index i, std::size_t wall_number) const;
+
+    surroundings around_;
+    std::uint64_t revision_ = 1;
+    struct near_state {
+        std::vector<bed::pair> pairs;
+        double factor = 0;
+        std::uint64_t revision = 0;
+    };
+    mutable near_state near_;
+};
+
+/// A bed that does not move.
+class frozen_bed final : public moving_bed {
+  public:
+    frozen_bed(std::vector<sphere> spheres, std::vector<double> masses, surroundings around)
+        : moving_bed(std::move(spheres), std::move(masses), std::move(around), 0.0) {}
+    /// The spheres of a bed as they are.
+    explicit frozen_bed(const bed& b);
+    vector3 velocity(index) const override { return {}; }
+
+  private:
+    void move(double, passage&) override {}
+    std::uint64_t fingerprint() const override { return 1; }
+};
+
+/// A bed that sinks as a body through a zone: what falls below its base comes back on top, as feed.  The packing ought to be
+/// one that continues there; else top and bottom overlap where they meet.
+class plug_bed final : public moving_bed {
+  public:
+    /// Centres lie in the zone.  Throws bad_value.
+    plug_bed(std::vector<sphere> spheres, std::vector<double> masses, const zone& shaft, surroundings around,
+             double mass_flow);
+    vector3 velocity(index) const override { return {0, 0, -mass_flow_ / mass_per_height_}; }
+
+  private:
+    void move(double seconds, passage& done) override;
+    std::uint64_t fingerprint() const override;
+
+    zone shaft_;
+    double mass_per_height_ = 0;
+};
+
+}  // namespace hearth::dem
+
+template <>
+struct hearth::contact_traits<hearth::dem::moving_bed> {
+    using contacts = dem::moving_bed;
+
+    template <class Visit>
+    static void for_each_contact(const contacts& c, Visit&& visit) {
+        c.for_each_contact([&](std::int32_t i, std::int32_t j, double force, double overlap, const dem::vector3& x) {
+            visit(i, j, contact{force, overlap, {x.x, x.y, x.z}});
+        });
+    }
+    template <class Visit>
+    static void for_each_wall_contact(const contacts& c, Visit&& visit) {
+        for (const dem::bed::touch& t : c.wall_touches()) {
+            const auto w = static_cast<std::size_t>(t.wall);
+            const double radius = c.spheres()[static_cast<std::size_t>(t.i)].radius;
+            const double force = c.around().wall_laws[w].normal_stiffness * std::sqrt(radius * t.overlap) * t.overlap;
+            visit(t.i, c.around().walls[w].patch, contact{force, t.overlap, {t.foot.x, t.foot.y, t.foot.z}});
+        }
+    }
+    template <class Visit>
+    static void for_each_near(const contacts& c, double factor, Visit&& visit) {
+        c.for_each_near(factor, visit);
+    }
+    template <class Visit>
+    static void for_each_near_wall(const contacts& c, double factor, Visit&& visit) {
+        c.for_each_near_wall(factor, [&](std::int32_t i, int w, double distance) {
+            visit(i, c.around().walls[static_cast<std::size_t>(w)].patch, distance);
+        });
+    }
+    static double wall_temperature(const contacts& c, int patch) { return c.patch_temperature(patch); }
+};
+template <>
+struct hearth::contact_traits<hearth::dem::frozen_bed> : contact_traits<hearth::dem::moving_bed> {};
+template <>
+struct hearth::contact_traits<hearth::dem::plug_bed> : contact_traits<hearth::dem::moving_bed> {};
