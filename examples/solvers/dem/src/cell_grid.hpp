@@ -52,6 +52,11 @@ class cell_grid {
         for (int a = 0; a < 3; ++a) n_[at(a)] = static_cast<index>((high_[a] - low_[a]) * inverse_size_) + 1;
     }
 
+    /// The same over spheres of this rank alone.
+    cell_grid(const sphere* spheres, std::size_t count, double size)
+        : cell_grid(count, [&](std::size_t i) -> const vector3& { return spheres[i].centre; }, size,
+                    *over(serial_communicator{})) {}
+
     /// From here on only the cells between two coordinates; those beyond belong to the cells at the border.
     void narrow(int axis, double low, double high) {
         const index first = along(axis, low), last = along(axis, high);
@@ -70,11 +75,9 @@ class cell_grid {
     }
     index cell(const vector3& p) const { return number(along(0, p.x), along(1, p.y), along(2, p.z)); }
 
-    /// Counting sort of points into cells: order[new place] = old place, and where each cell starts.  Within a cell the
-    /// order is that of the ids.
-    template <class Centre, class Id>
-    void sort(std::size_t count, const Centre& centre, const Id& id, std::vector<index>& order,
-              std::vector<index>& start) const {
+    /// Counting sort of points into cells: order[new place] = old place, stable; and where each cell starts.
+    template <class Centre>
+    void sort(std::size_t count, const Centre& centre, std::vector<index>& order, std::vector<index>& start) const {
         std::vector<index> key(count);
         start.assign(static_cast<std::size_t>(cells()) + 1, 0);
         for (std::size_t i = 0; i < count; ++i) {
@@ -88,6 +91,14 @@ class cell_grid {
         }
         for (std::size_t c = start.size() - 1; c > 0; --c) start[c] = start[c - 1];
         start[0] = 0;
+    }
+    void sort(const sphere* spheres, std::size_t count, std::vector<index>& order, std::vector<index>& start) const {
+        sort(count, [&](std::size_t i) -> const vector3& { return spheres[i].centre; }, order, start);
+    }
+
+    /// Sorts the points of each cell by their ids.
+    template <class Id>
+    static void sort_within_cells(const Id& id, std::vector<index>& order, const std::vector<index>& start) {
         for (std::size_t c = 0; c + 1 < start.size(); ++c) {
             if (start[c + 1] - start[c] < 2) continue;
             std::sort(order.begin() + start[c], order.begin() + start[c + 1], [&](index a, index b) {
