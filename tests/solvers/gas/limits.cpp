@@ -155,7 +155,8 @@ TEST_CASE("limits: bad input is refused with its place, and the state stays") {
 TEST_CASE("shaft: a bed as uneven as its cells converges on the leaning cells of an O-grid") {
     // The lines between centres lean by 48 degrees where core and ring meet; a correction of the pressure's slope that is
     // taken over at once feeds itself there, from a uniform bed on.
-    for (const auto& [least, most] : {std::pair{0.4, 0.4}, {0.3, 0.6}, {0.3, 0.9}}) {
+    for (const auto& range : {std::pair{0.4, 0.4}, {0.3, 0.6}, {0.3, 0.9}}) {
+        const double least = range.first, most = range.second;
         CAPTURE(least);
         CAPTURE(most);
         shaft shape;
