@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Who may include whom.  cmake -D root=SOURCE_DIR -D scratch=EMPTY_DIR -P layering.cmake
 #
-#             adapt   mpi   eigen
+#             adapt   mpi   eigen            (adapt: transfer, too)
 #                \     |     /
 #  scene -> transfer, voidage, time -> closure -> core -> the standard library
 #  furnace -> dem, gas, combustion -> io, all of the above; the three never include one another
@@ -17,7 +17,7 @@ set(rules
     "include/hearth/time       (time|closure|core)/"
     "include/hearth/scene      (scene|transfer|voidage|time|closure|core)/"
     "include/hearth/mpi        (mpi|core)/|<mpi\\.h>"
-    "include/hearth/adapt      (adapt|core)/|<mpi\\.h>|FOREIGN"
+    "include/hearth/adapt      (adapt|transfer|core)/|<mpi\\.h>|FOREIGN"
     "include/hearth/eigen.hpp  core/|<(unsupported/)?Eigen/"
     "include/hearth/hearth.hpp (core|closure|voidage|transfer|time|scene)/|adapt/raw\\.hpp|version\\.hpp"
     "include/hearth/version.hpp NOTHING"

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include <hearth/adapt/raw.hpp>
 #include <hearth/closure/feng_han.hpp>
 #include <hearth/closure/zhang.hpp>
 #include <hearth/scene/scene.hpp>
 #include <hearth/transfer/conduction.hpp>
 #include <hearth/transfer/radiation.hpp>
+#include <hearth/transfer/sphere_contacts.hpp>
 
 /// What the LIGGGHTS and the LAMMPS host share: one bed of glass spheres and its heat, in whatever arrays the host has.
 namespace bed {
@@ -30,7 +30,7 @@ inline auto physics() {
 }
 
 /// The box of in.pack: a hot floor, cold sides.
-inline std::vector<hearth::raw::plane_wall> walls() {
+inline std::vector<hearth::plane_wall> walls() {
     return {{{0, 0, 1}, 0, 900}, {{1, 0, 0}, 0, 300}, {{-1, 0, 0}, -0.06, 300}, {{0, 1, 0}, 0, 300}, {{0, -1, 0}, -0.06, 300}};
 }
 

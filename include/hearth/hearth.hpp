@@ -84,6 +84,7 @@
 #include <hearth/transfer/links.hpp>
 #include <hearth/transfer/radiation.hpp>
 #include <hearth/transfer/species.hpp>
+#include <hearth/transfer/sphere_contacts.hpp>
 #include <hearth/transfer/term.hpp>
 
 #include <hearth/time/acceleration_switch.hpp>

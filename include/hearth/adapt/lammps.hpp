@@ -8,7 +8,7 @@
 
 #include <lammps/library.h>
 
-#include <hearth/adapt/raw.hpp>
+#include <hearth/transfer/sphere_contacts.hpp>
 
 /// A running LAMMPS, by the handle of its C library: its atoms (atom_style sphere) are a strided_cloud, its neighbour
 /// list the contacts.  Both hold LAMMPS' own pointers: make them anew after each command that runs it.  Compile with
@@ -55,8 +55,8 @@ struct pairs {
 
 /// style: the pair style that moves the atoms, by gran/hertz; skin: as given to LAMMPS' command `neighbor` [m];
 /// effective_modulus: E* of that style [Pa].  Errors: invalid_argument where LAMMPS has no list of this style.
-inline raw::sphere_contacts<pairs> contacts(void* host, const strided_cloud<>& atoms, const std::string& style, double skin,
-                                            double effective_modulus, std::vector<raw::plane_wall> walls = {}) {
+inline sphere_contacts<pairs> contacts(void* host, const strided_cloud<>& atoms, const std::string& style, double skin,
+                                            double effective_modulus, std::vector<plane_wall> walls = {}) {
     const int list = lammps_find_pair_neighlist(host, style.c_str(), 1, 0, 0);
     if (list < 0) throw std::invalid_argument("hearth: LAMMPS has no neighbour list of pair style " + style);
     return {atoms, {host, list}, skin, effective_modulus, std::move(walls)};

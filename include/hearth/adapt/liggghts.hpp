@@ -14,7 +14,7 @@
 #include <liggghts/neighbor.h>
 #include <liggghts/pair.h>
 
-#include <hearth/adapt/raw.hpp>
+#include <hearth/transfer/sphere_contacts.hpp>
 
 /// A running LIGGGHTS, by the handle of its C library: its atoms are a strided_cloud, its neighbour list the contacts.
 /// Both hold LIGGGHTS' own pointers: make them anew after each command that runs it.  A program that links LIGGGHTS is
@@ -60,8 +60,8 @@ struct pairs {
 };
 
 /// effective_modulus: E* of the `model hertz` that moves the atoms [Pa].
-inline raw::sphere_contacts<pairs> contacts(void* host, const strided_cloud<>& atoms, double effective_modulus,
-                                            std::vector<raw::plane_wall> walls = {}) {
+inline sphere_contacts<pairs> contacts(void* host, const strided_cloud<>& atoms, double effective_modulus,
+                                            std::vector<plane_wall> walls = {}) {
     const auto* lmp = static_cast<LAMMPS_NS::LAMMPS*>(host);
     return {atoms, {lmp->force->pair->list}, lmp->neighbor->skin, effective_modulus, std::move(walls)};
 }
