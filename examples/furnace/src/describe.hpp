@@ -22,6 +22,7 @@ constexpr auto names(burning) {
     return std::array<std::string_view, 4>{"none", "mixed_is_burnt", "equilibrium", "jones_lindstedt"};
 }
 constexpr auto names(voidage_method) { return std::array<std::string_view, 2>{"filtered", "smoother"}; }
+constexpr auto names(burner_feed) { return std::array<std::string_view, 2>{"nozzles", "section"}; }
 constexpr auto names(start_from) { return std::array<std::string_view, 2>{"one_dimensional", "cold"}; }
 
 /// Every key of a scene, once: reading, checking, documenting and hashing all walk this list.
@@ -34,7 +35,7 @@ void describe(Settings& s, Key&& key) {
 
     key("shaft", "height_m", s.shaft.height, range{0.1, 100}, "Height of the shaft");
     key("shaft", "diameter_m", s.shaft.diameter, range{0.05, 20}, "Inner diameter");
-    key("shaft", "hopper_height_m", s.shaft.hopper_height, range{0, 20}, "Height of the modelled stub of the hopper (assumed)");
+    key("shaft", "hopper_height_m", s.shaft.hopper_height, range{0, 20}, "Height of the modelled stub of the hopper (assumed); 0: none, and the off-gas leaves at the top");
     key("shaft", "offgas_pipe_diameter_m", s.shaft.offgas_pipe_diameter, range{0.01, 5}, "Side pipe of the off-gas, below the hopper (assumed)");
 
     key("particles", "mass_flow_kg_per_h", s.particles.mass_flow, range{0, 1e6, 1 / 3600.0}, "Solids fed at the top and taken out at the bottom");
@@ -45,6 +46,7 @@ void describe(Settings& s, Key&& key) {
     key("air", "volume_flow_Nm3_per_h", s.air.volume_flow, range{0, 1e7, 1 / 3600.0}, "Secondary air through the bottom, at 273.15 K and 101325 Pa");
     key("air", "temperature_K", s.air.temperature, range{200, 2000}, "Temperature of the secondary air");
 
+    key("burners", "feed", s.burners.feed, range{}, "How the premixed gas enters: as jets in a circle, or over the whole section and 0.1 m of height, as in one dimension");
     key("burners", "count", s.burners.count, range{0, 1000}, "Burners in a circle, flush with the wall");
     key("burners", "diameter_mm", s.burners.diameter, range{1, 500, 1e-3}, "Diameter of a burner's mouth");
     key("burners", "height_m", s.burners.height, range{0, 100}, "Height of the circle above the bottom");
@@ -88,7 +90,7 @@ void describe(Settings& s, Key&& key) {
     key("time", "start", s.time.start, range{}, "Where the temperatures start from");
     key("time", "balance_tolerance", s.time.balance_tolerance, range{1e-6, 1}, "Enthalpy imbalance over fuel power at which the run is converged");
 
-    key("output", "checkpoint_interval_s", s.output.interval, range{1, 1e6}, "Wall time between checkpoints");
+    key("output", "checkpoint_interval_s", s.output.interval, range{0, 1e6}, "Wall time between checkpoints; 0: after every step");
     key("output", "frames", s.output.frames, range{0, 1e5}, "Frames of the time series for ParaView");
     key("output", "seed", s.output.seed, range{0, inf}, "Seed of the feed and of random packings");
 }

@@ -2,6 +2,7 @@
 #include <hearth/furnace/settings.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -231,9 +232,24 @@ settings read_scene(const std::string& path) {
     return parse_scene(text.str(), path);
 }
 
+namespace {
+
+/// A word without quotes, as a shell leaves it, gets them.
+std::string with_quotes(const std::string& assignment) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos) throw bad_scene("--set: " + assignment + " is not KEY=VALUE");
+    const std::string value = assignment.substr(equals + 1);
+    const bool is_word = std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; }) &&
+                         !value.empty() && std::isalpha(static_cast<unsigned char>(value[0])) != 0;
+    if (!is_word || value == "true" || value == "false" || value == "inf" || value == "nan") return assignment;
+    return assignment.substr(0, equals + 1) + '"' + value + '"';
+}
+
+}  // namespace
+
 void set_key(settings& scene, const std::string& assignment) {
     settings changed = scene;
-    read_into(changed, parse(assignment, "--set"), "--set");
+    read_into(changed, parse(with_quotes(assignment), "--set"), "--set");
     check(changed);
     scene = changed;
 }

@@ -88,6 +88,11 @@ TEST_CASE("scene: --set changes one key, or nothing") {
     CHECK(scene.mesh.across == 40);
     set_key(scene, "bed.motion=\"plug\"");
     CHECK(scene.bed.motion == bed_motion::plug);
+    set_key(scene, "bed.motion=frozen");  // as a shell hands it over
+    CHECK(scene.bed.motion == bed_motion::frozen);
+    set_key(scene, "physics.radiation=false");
+    CHECK_FALSE(scene.physics.radiation);
+    CHECK_THROWS_WITH_AS(set_key(scene, "bed.motion"), "--set: bed.motion is not KEY=VALUE", bad_scene);
     CHECK_THROWS_WITH_AS(set_key(scene, "mesh.cells_across=1"), "--set: mesh.cells_across is 1, allowed: 4 to 1000", bad_scene);
     CHECK(scene.mesh.across == 40);
 }

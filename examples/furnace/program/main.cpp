@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include <mpi.h>
+
+#include <cstdio>
+#include <exception>
+
+#include <hearth/furnace/settings.hpp>
+#include <hearth/io/hdf5_file.hpp>
+
+#include "command_line.hpp"
+#include "run.hpp"
+
+int main(int count, char** arguments) {
+    using namespace hearth::furnace;
+    const command_or_exit given = read_command_line(count, arguments);
+    if (!given.command) return given.exit;
+
+    MPI_Init(&count, &arguments);  // the files are parallel HDF5's
+    int ranks = 1, rank = 0, code = exit_code::failed;
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    try {
+        if (ranks > 1) throw bad_scene(std::to_string(ranks) + " ranks: the furnace runs on one");
+        code = run(*given.command);
+    } catch (const bad_scene& error) {
+        if (rank == 0) std::fprintf(stderr, "furnace: %s\n", error.what());
+        code = exit_code::bad_input;
+    } catch (const hearth::io::file_error& error) {
+        std::fprintf(stderr, "furnace: %s\n", error.what());
+        code = exit_code::bad_file;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "furnace: %s\n", error.what());
+    }
+    MPI_Finalize();
+    return code;
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "progress.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report.hpp"
+
+namespace hearth::furnace {
+
+progress::progress(std::FILE* out, bool quiet) : out_(out), quiet_(quiet), terminal_(isatty(fileno(out)) == 1) {}
+
+std::string progress_line(const status& now, double left) {
+    char text[256];
+    int length = std::snprintf(text, sizeof text, "%-8s %3.0f %%  ", name(now.now), 100 * std::clamp(now.share_of_run, 0.0, 1.0));
+    const auto add = [&](const char* format, auto... values) {
+        const auto used = static_cast<std::size_t>(length);
+        if (used < sizeof text) length += std::snprintf(text + used, sizeof text - used, format, values...);
+    };
+    if (left >= 0) add("%s left  ", duration(left).c_str());
+    if (now.now == phase::fill) {
+        add("bed %.2f m high", now.fill_level);
+        return text;
+    }
+    if (now.peak_particle_temperature > 0) add("peak %.0f K at %.2f m  ", now.peak_particle_temperature, now.peak_height);
+    if (now.offgas_temperature > 0) add("off-gas %.0f K  ", now.offgas_temperature);
+    if (now.solids_outlet_temperature > 0) add("product %.0f K  ", now.solids_outlet_temperature);
+    if (now.fuel_power > 0) add("imbalance %.2f %%", 100 * std::abs(now.enthalpy_imbalance) / now.fuel_power);
+    return text;
+}
+
+void progress::show(const status& now) {
+    if (quiet_) return;
+    const auto time = clock::now();
+    const auto seconds = [](clock::duration d) { return std::chrono::duration<double>(d).count(); };
+    if (share_at_begin_ < 0) share_at_begin_ = now.share_of_run;
+    const bool due = terminal_ ? seconds(time - last_) > 0.2
+                               : now.share_of_run >= share_at_last_ + 0.1 || seconds(time - last_) > 30;
+    if (!due && now.share_of_run < 1) return;
+    last_ = time;
+    share_at_last_ = now.share_of_run;
+    const double done = now.share_of_run - share_at_begin_;
+    const double left = done > 0.01 ? seconds(time - begin_) * (1 - now.share_of_run) / done : -1;
+    std::string line = progress_line(now, left);
+    if (!terminal_) {
+        std::fprintf(out_, "%s\n", line.c_str());
+        std::fflush(out_);
+        return;
+    }
+    winsize window{};
+    const bool known = ioctl(fileno(out_), TIOCGWINSZ, &window) == 0 && window.ws_col > 1;
+    line.resize(std::min<std::size_t>(line.size(), known ? window.ws_col - 1U : 79U));
+    std::fprintf(out_, "\r%s\033[K", line.c_str());  // to the end of the line: what was longer before
+    std::fflush(out_);
+    open_ = true;
+}
+
+void progress::say(const std::string& line) {
+    end();
+    if (!quiet_) std::fprintf(out_, "%s\n", line.c_str());
+    std::fflush(out_);
+}
+
+void progress::end() {
+    if (open_) std::fputc('\n', out_);
+    open_ = false;
+}
+
+}  // namespace hearth::furnace
