@@ -31,6 +31,7 @@ struct wall_zone {
 enum class bed_motion { frozen, plug, recorded, dem };
 enum class burning { none, mixed_is_burnt, equilibrium, jones_lindstedt };
 enum class voidage_method { filtered, smoother };
+enum class burner_feed { nozzles, section };
 enum class start_from { one_dimensional, cold };
 
 /// Everything that a scene says, in SI units.  The defaults are the furnace of the paper (Spijker, Pollhammer and
@@ -60,6 +61,7 @@ struct settings {
     } air;
 
     struct {
+        burner_feed feed = burner_feed::nozzles;
         int count = 12;
         double diameter = 15e-3;
         double height = 8;
