@@ -11,7 +11,7 @@ flow::flow(const mesh& m, const pattern& p, const gradient& g, const parallel& r
       pattern_(&p),
       gradients_(&g),
       ranks_(&ranks),
-      pressure_solver_(p, make_multigrid(p), ranks),
+      pressure_solver_(p, ranks.make_preconditioner(p), ranks),
       momentum_(p),
       pressure_(p),
       gradient_(3 * m.cells()),

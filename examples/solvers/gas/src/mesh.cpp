@@ -13,16 +13,17 @@ std::string named(const char* noun, int i) { return std::string(noun) + " " + st
 
 }  // namespace
 
-mesh::mesh(polyhedra shape_, int ghost_cells) : patches(shape_.patches), shape(std::move(shape_)) {
+mesh::mesh(polyhedra shape_) : patches(shape_.patches), shape(std::move(shape_)) {
     owner = std::move(shape.owner);
     neighbour = std::move(shape.neighbour);
     check_topology();
     int last = -1;
     for (const int c : owner) last = std::max(last, c);
     for (const int c : neighbour) last = std::max(last, c);
-    owned_cells_ = last + 1 - ghost_cells;
+    owned_cells_ = last + 1;
     compute_geometry();
     check_geometry();
+    compute_weights();
     build_bins();
 }
 
@@ -83,8 +84,7 @@ void mesh::compute_geometry() {
         area[f] = sum;
         face_centre[f] = weight > 0 ? 1 / weight * moment : middle;
     }
-    int cell_count = owned_cells_;
-    for (const int c : neighbour) cell_count = std::max(cell_count, c + 1);
+    const int cell_count = owned_cells_;
     volume.assign(cell_count, 0.0);
     centre.assign(cell_count, {});
     array<vector3> middle(cell_count);
@@ -106,7 +106,7 @@ void mesh::compute_geometry() {
     for (int c = 0; c < cell_count; ++c) centre[c] *= 1 / volume[c];
 }
 
-void mesh::check_geometry() {
+void mesh::check_geometry() const {
     const int internal = internal_faces();
     array<vector3> sum(cells());
     array<double> surface(cells(), 0.0);
@@ -131,6 +131,10 @@ void mesh::check_geometry() {
         if (!(volume[c] > 0))
             throw mesh_error(named("cell", c) + " has volume " + std::to_string(volume[c]) + " m^3", c, -1);
     }
+}
+
+void mesh::compute_weights() {
+    const int internal = internal_faces();
     conductance.resize(faces());
     owner_weight.resize(internal);
     double least_cosine = 1;

@@ -236,4 +236,6 @@ class multigrid final : public preconditioner {
 
 std::unique_ptr<preconditioner> make_multigrid(const pattern& p) { return std::make_unique<multigrid>(p); }
 
+std::unique_ptr<preconditioner> parallel::make_preconditioner(const pattern& p) const { return make_multigrid(p); }
+
 }  // namespace hearth::gas

@@ -78,6 +78,7 @@ void solver::solve_enthalpy(report& r, const gas_fields* before, double dt, doub
                                               1e-6 * gas.specific_heat[c] * gas.temperature[c];
     }
     r.temperature_change = ranks_->max(greatest);
+    r.temperature_limited = static_cast<std::int64_t>(ranks_->sum(static_cast<double>(r.temperature_limited)));
 }
 
 void solver::solve_species(report& r, const gas_fields* before, double dt, double storage) {

@@ -29,7 +29,7 @@ solver::solver(const mesh& m, std::shared_ptr<const gas_model> model, solver_set
       gradients_(m),
       flow_(m, pattern_, gradients_, ranks),
       scalars_(m, pattern_, gradients_, ranks),
-      turbulence_(m, gradients_, settings.turbulence_constants) {
+      turbulence_(m, ranks, settings.turbulence_constants) {
     const int n = m.cells(), b = m.boundary_faces();
     require(species_ >= 1, "the gas model must have a species");
     require(settings.reference_pressure > 0, "reference_pressure must be > 0 [Pa]");
@@ -151,7 +151,14 @@ void solver::initialise(double temperature, const array<double>& y) {
 }
 
 void solver::check_bed() const {
-    for (int c = 0; c < mesh_->owned_cells(); ++c) {
+    const int n = mesh_->owned_cells();
+    for (const int size : {bed.void_fraction.count(), bed.diameter.count(), bed.particle_velocity.count(),
+                           bed.heat_conductance.count(), bed.heat_source.count(), sources.enthalpy.count(),
+                           sources.force.count(), sources.species.count() / species_,
+                           bed.exchange.empty() ? n : bed.exchange.count()})
+        require(size >= n, "a field of the bed or of the sources holds " + std::to_string(size) + " cells, expected " +
+                               std::to_string(n));
+    for (int c = 0; c < n; ++c) {
         const double e = bed.void_fraction[c];
         require(e > 0 && e <= 1, "void fraction of cell " + std::to_string(c) + " is " + std::to_string(e) +
                                      ", allowed: (0, 1]");
@@ -161,6 +168,24 @@ void solver::check_bed() const {
                 "heat exchange of cell " + std::to_string(c) + " is " + std::to_string(bed.heat_conductance[c]) + ", " +
                     std::to_string(bed.heat_source[c]) + ", allowed: >= 0 [W/K], finite [W]");
     }
+}
+
+/// Checks the bed and brings its ghosts up to date.  Throws on every rank where one rank's bed is wrong.
+void solver::take_bed() {
+    std::string wrong;
+    try {
+        check_bed();
+    } catch (const std::invalid_argument& error) {
+        wrong = error.what();
+    }
+    if (ranks_->max(wrong.empty() ? 0 : 1) > 0)
+        throw std::invalid_argument(wrong.empty() ? "hearth::gas: another rank's bed is not allowed" : wrong);
+    bed.void_fraction.resize(mesh_->cells());
+    bed.diameter.resize(mesh_->cells());
+    bed.particle_velocity.resize(mesh_->cells());
+    ranks_->gather(bed.void_fraction.data(), 1);
+    ranks_->gather(bed.diameter.data(), 1);
+    ranks_->gather(&bed.particle_velocity[0].x, 3);
 }
 
 double solver::mass_flow(const std::string& name) const {

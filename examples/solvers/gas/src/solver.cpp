@@ -18,13 +18,18 @@ void solver::update_properties() {
     update_density();
 }
 
-void solver::update_density() {
+/// Returns the number of cells of all ranks whose pressure was too low.
+std::int64_t solver::update_density() {
+    const double least = 0.1 * settings.reference_pressure;
+    double floored = 0;
     for (int c = 0; c < mesh_->cells(); ++c) {
         // The iteration may pass through pressures below vacuum; the density stays that of a tenth of the reference.
-        const double p = std::max(absolute_pressure(c), 0.1 * settings.reference_pressure);
+        const double p = std::max(absolute_pressure(c), least);
+        floored += c < mesh_->owned_cells() && absolute_pressure(c) < least;
         gas.density[c] = model_->density(p, gas.temperature[c], composition(c));
         medium_.compressibility[c] = model_->compressibility(p, gas.density[c]);
     }
+    return static_cast<std::int64_t>(ranks_->sum(floored));
 }
 
 void solver::update_medium() {
@@ -39,6 +44,7 @@ void solver::update_medium() {
         const double e = bed.void_fraction[c];
         free_[c] = 1 - e <= settings.bed_threshold;
         medium_.viscosity[c] = free_[c] ? gas.viscosity[c] + gas.eddy_viscosity[c] : 0;
+        if (c >= m.owned_cells()) continue;  // of ghosts, the faces need the viscosity alone
         double mass = 0;
         for (int k = 0; k < species_; ++k) mass += sources.species[species_ * c + k];
         medium_.mass_source[c] = mass;
@@ -70,15 +76,19 @@ void solver::inner_iteration(report& r, const flow_history& history, const gas_f
     if (before)
         for (int c = 0; c < mesh_->cells(); ++c)
             stored_density_[c] = gas.density[c] + medium_.compressibility[c] * (gas.flow.pressure[c] - stored_density_[c]);
-    if (settings.turbulence)
-        r.turbulence_change = turbulence_.iterate(gas, bed, free_, scalars_, flow_.velocity_gradient(), boundary_,
-                                                  scalar_boundary_.kinetic, scalar_boundary_.dissipation, before,
-                                                  history.step);
+    if (settings.turbulence) {
+        const auto turbulence = turbulence_.iterate(gas, bed, free_, scalars_, flow_.velocity_gradient(), boundary_,
+                                                    scalar_boundary_.kinetic, scalar_boundary_.dissipation, before,
+                                                    history.step);
+        r.turbulence_change = turbulence.change;
+        r.turbulence_floored = turbulence.floored;
+        r.eddy_viscosity_capped = turbulence.capped;
+    }
     r.scalar_iterations = 0;
     r.species_change = r.temperature_change = 0;
     if (settings.species && species_ > 1) solve_species(r, before, history.step, history.storage);
     if (settings.energy) solve_enthalpy(r, before, history.step, history.storage);
-    update_density();
+    r.pressure_floored = update_density();
 }
 
 /// Mass that comes in per time and volume [kg/(m^3 s)]: what inertia resists with over one passage.
@@ -95,7 +105,7 @@ double solver::through_flow_rate() const {
 }
 
 bool solver::is_settled(report& r) const {
-    double finite[2] = {std::isfinite(r.flow.velocity_change) && std::isfinite(r.flow.pressure.last) ? 0.0 : 1.0,
+    double finite[2] = {std::isfinite(r.flow.velocity_change + r.flow.pressure.last + r.turbulence_change) ? 0.0 : 1.0,
                         std::isfinite(r.temperature_change) ? 0.0 : 1.0};
     ranks_->sum(finite, 2);
     if (finite[0] + finite[1] > 0) {
@@ -127,7 +137,7 @@ void solver::confirm(report& r) const {
 }
 
 report solver::level_zero(int iterations) {
-    check_bed();
+    take_bed();
     report r;
     flow_settings fs = settings.flow;
     fs.inertia = false;
@@ -144,7 +154,7 @@ report solver::level_zero(int iterations) {
         ranks_->sum(sums, 2);
         fs.resistance_floor = std::max({settings.flow.resistance_floor, through_flow_rate(), sums[1] > 0 ? 1e-3 * sums[0] / sums[1] : 0});
         r.flow = flow_.iterate(gas.flow, medium_, boundary_, {}, fs);
-        update_density();
+        r.pressure_floored = update_density();
         if (is_settled(r)) break;
     }
     check_balances(r, nullptr, 0, 0);
@@ -158,7 +168,7 @@ void solver::start_from_rest() {
 }
 
 report solver::iterate() {
-    check_bed();
+    take_bed();
     report r;
     inner_iteration(r, {}, nullptr);
     is_settled(r);
@@ -167,7 +177,7 @@ report solver::iterate() {
 }
 
 report solver::steady() {
-    check_bed();
+    take_bed();
     report r;
     start_from_rest();
     while (r.iterations < settings.max_iterations) {
@@ -190,7 +200,7 @@ report solver::steady() {
 
 report solver::step(double dt, double storage) {
     if (!(dt > 0) || !(storage >= 0)) throw std::invalid_argument("hearth::gas: step: dt must be > 0, storage >= 0");
-    check_bed();
+    take_bed();
     if (old_void_.empty()) old_void_ = bed.void_fraction;
     const gas_fields before = gas;
     flow_history history{dt, storage, gas.density, old_void_, gas.flow.mass_flux, gas.flow.velocity};

@@ -6,8 +6,9 @@
 
 namespace hearth::gas {
 
-k_epsilon::k_epsilon(const mesh& m, const gradient&, const constants& c)
+k_epsilon::k_epsilon(const mesh& m, const parallel& ranks, const constants& c)
     : mesh_(&m),
+      ranks_(&ranks),
       c_(c),
       production_(m.owned_cells()),
       fixed_dissipation_(m.owned_cells()),
@@ -58,10 +59,11 @@ void k_epsilon::fix(transport& t, int cell, double value) const {
     t.right[cell] = t.a.diagonal[cell] * value;
 }
 
-double k_epsilon::iterate(gas_fields& gas, const bed_fields& bed, const array<char>& free, transport& scalars,
-                          const array<vector3>& velocity_gradient, flow_boundary& boundary,
-                          const array<double>& boundary_kinetic,
-                          const array<double>& boundary_dissipation, const gas_fields* before, double step) {
+k_epsilon::iteration k_epsilon::iterate(gas_fields& gas, const bed_fields& bed, const array<char>& free,
+                                        transport& scalars, const array<vector3>& velocity_gradient,
+                                        flow_boundary& boundary, const array<double>& boundary_kinetic,
+                                        const array<double>& boundary_dissipation, const gas_fields* before,
+                                        double step) {
     const mesh& m = *mesh_;
     const int n = m.owned_cells();
     for (int c = 0; c < n; ++c) {
@@ -74,8 +76,7 @@ double k_epsilon::iterate(gas_fields& gas, const bed_fields& bed, const array<ch
     }
     wall_treatment(gas, free, boundary);
     k_ = gas.kinetic;
-    e_ = gas.dissipation;
-    double change = 0, size = 0;
+    double sums[4] = {0, 0, 0, 0};  // change of k, k, cells lifted, cells capped
     const solve_settings accuracy{0.05, 0, 20};
     for (const bool solve_k : {false, true}) {
         for (int c = 0; c < m.cells(); ++c)
@@ -111,19 +112,24 @@ double k_epsilon::iterate(gas_fields& gas, const bed_fields& bed, const array<ch
             scalars.right[c] += more * field[c];
         }
         scalars.solve(field, accuracy);
-        for (double& v : field) v = std::max(v, 1e-12);  // limited convection may undershoot by round-off
+        for (int c = 0; c < m.cells(); ++c) {
+            sums[2] += c < n && free[c] && field[c] < least;
+            field[c] = std::max(field[c], least);
+        }
     }
     for (int c = 0; c < n; ++c) {
-        change += (gas.kinetic[c] - k_[c]) * (gas.kinetic[c] - k_[c]);
-        size += gas.kinetic[c] * gas.kinetic[c];
+        sums[0] += (gas.kinetic[c] - k_[c]) * (gas.kinetic[c] - k_[c]);
+        sums[1] += gas.kinetic[c] * gas.kinetic[c];
     }
     for (int c = 0; c < m.cells(); ++c) {
-        const double k = gas.kinetic[c];
-        // at most 1e5 times the laminar one: where epsilon has not grown yet
-        gas.eddy_viscosity[c] = free[c] ? std::min(c_.c_mu * gas.density[c] * k * k / gas.dissipation[c],
-                                                   1e5 * gas.viscosity[c]) : 0;
+        const double k = gas.kinetic[c], most = greatest_ratio * gas.viscosity[c];
+        const double eddy = free[c] ? c_.c_mu * gas.density[c] * k * k / gas.dissipation[c] : 0;
+        gas.eddy_viscosity[c] = std::min(eddy, most);
+        sums[3] += c < n && eddy > most;
     }
-    return size > 0 ? std::sqrt(change / size) : 0;
+    ranks_->sum(sums, 4);
+    return {sums[1] > 0 ? std::sqrt(sums[0] / sums[1]) : 0, static_cast<std::int64_t>(sums[2]),
+            static_cast<std::int64_t>(sums[3])};
 }
 
 }  // namespace hearth::gas

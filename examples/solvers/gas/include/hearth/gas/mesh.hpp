@@ -45,7 +45,12 @@ class mesh {
 
     /// Computes the geometry and checks it: closed cells, positive volumes, owner below neighbour, patches complete,
     /// every point finite.  Throws mesh_error.
-    explicit mesh(polyhedra shape, int ghost_cells = 0);
+    explicit mesh(polyhedra shape);
+
+    /// The share of one rank: its cells in the order of the whole mesh, then the cells of other ranks across its faces
+    /// (ghosts) in order of rank and number.  Geometry is the whole mesh's, bit for bit.  See partition.hpp.
+    /// Throws std::invalid_argument where the rank owns no cell.
+    mesh(const mesh& whole, const array<int>& rank_of_cell, int rank);
 
     int owned_cells() const { return owned_cells_; }
     int cells() const { return static_cast<int>(volume.size()); }  ///< with ghosts
@@ -76,7 +81,8 @@ class mesh {
   private:
     void compute_geometry();
     void check_topology() const;
-    void check_geometry();
+    void check_geometry() const;
+    void compute_weights();
     void build_bins();
 
     int owned_cells_ = 0;

@@ -52,6 +52,9 @@ struct report {
     double temperature_change = 0;   ///< of the last iteration, greatest [K]
     double species_change = 0;       ///< greatest [-]
     double turbulence_change = 0;    ///< rms over rms [-]
+    std::int64_t turbulence_floored = 0;   ///< free cells whose k or epsilon the last iteration lifted to its least value
+    std::int64_t eddy_viscosity_capped = 0;  ///< free cells that hold the greatest eddy viscosity allowed
+    std::int64_t pressure_floored = 0;     ///< cells whose density counts a tenth of the reference pressure
     int scalar_iterations = 0;
     std::int64_t temperature_limited = 0;  ///< cells whose enthalpy lies outside the gas model's range
     std::int64_t backflow_faces = 0;       ///< outlet faces through which gas comes in
@@ -130,7 +133,8 @@ class solver {
     struct scalar_boundary { array<double> temperature, enthalpy, fixed, kinetic, dissipation; };
     const double* composition(int cell) const { return &gas.mass_fraction[species_ * cell]; }
     void check_bed() const;
-    void update_density();
+    void take_bed();
+    std::int64_t update_density();
     void update_medium();
     void update_diffusivity();
     void solve_enthalpy(report& r, const gas_fields* before, double dt, double storage);

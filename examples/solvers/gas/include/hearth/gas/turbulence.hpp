@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 
 #include <hearth/gas/array.hpp>
 #include <hearth/gas/fields.hpp>
@@ -19,14 +20,22 @@ class k_epsilon {
         double bed_intensity = 0.2, bed_length = 0.1;
         double relaxation = 0.8;
     };
-    k_epsilon(const mesh& m, const gradient& g, const constants& c);
+    struct iteration {
+        double change = 0;           ///< rms change of k over its rms [-]
+        std::int64_t floored = 0;    ///< free cells whose k or epsilon fell below `least` and was lifted to it
+        std::int64_t capped = 0;     ///< free cells whose eddy viscosity was held at `greatest_ratio`
+    };
+    static constexpr double greatest_ratio = 1e5;  ///< of eddy to laminar viscosity: where epsilon has not grown yet [-]
+    static constexpr double least = 1e-12;  ///< of k [m^2/s^2] and epsilon [m^2/s^3]: limited convection may undershoot
+
+    k_epsilon(const mesh& m, const parallel& ranks, const constants& c);
 
     /// One implicit pass over k and epsilon, then the eddy viscosity and the wall viscosities of `boundary`.
-    /// `free` marks the cells outside the bed.  step 0: steady.  Returns the rms change of k over its rms.
-    double iterate(gas_fields& gas, const bed_fields& bed, const array<char>& free, transport& scalars,
-                   const array<vector3>& velocity_gradient, flow_boundary& boundary,
-                   const array<double>& boundary_kinetic, const array<double>& boundary_dissipation,
-                   const gas_fields* before, double step);
+    /// `free` marks the cells outside the bed.  step 0: steady.
+    iteration iterate(gas_fields& gas, const bed_fields& bed, const array<char>& free, transport& scalars,
+                      const array<vector3>& velocity_gradient, flow_boundary& boundary,
+                      const array<double>& boundary_kinetic, const array<double>& boundary_dissipation,
+                      const gas_fields* before, double step);
 
   private:
     struct wall_face { int face, cell; double distance; };
@@ -34,8 +43,9 @@ class k_epsilon {
     void fix(transport&, int cell, double value) const;
 
     const mesh* mesh_;
+    const parallel* ranks_;
     constants c_;
-    array<double> production_, fixed_dissipation_, diffusivity_, no_diffusion_, k_, e_;
+    array<double> production_, fixed_dissipation_, diffusivity_, no_diffusion_, k_;
 };
 
 }  // namespace hearth::gas
