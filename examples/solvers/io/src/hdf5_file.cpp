@@ -68,19 +68,27 @@ struct trailer {
     std::uint64_t checksum = 0;
 };
 
-/// FNV-1a over words of eight bytes, of the first `bytes` of a file; a file that ends before gives 0.
+/// FNV-1a over words of eight bytes, goes on from `value`.
+std::uint64_t checksum(std::uint64_t value, const char* data, std::size_t bytes) {
+    for (std::size_t k = 0; k < bytes; k += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, data + k, std::min<std::size_t>(8, bytes - k));
+        value = (value ^ word) * 1099511628211U;
+        value ^= value >> 29;  // high bits reach the low ones, which a product alone never does
+    }
+    return value;
+}
+
+std::uint64_t checksum_start(std::uint64_t bytes) { return 14695981039346656037U ^ bytes; }
+
+/// Of the first `bytes` of a file; a file that ends before gives 0.
 std::uint64_t checksum(std::FILE* file, std::uint64_t bytes) {
-    std::uint64_t value = 14695981039346656037U ^ bytes;
+    std::uint64_t value = checksum_start(bytes);
     std::vector<char> buffer(std::size_t{1} << 22);
     while (bytes > 0) {
         const auto want = static_cast<std::size_t>(std::min<std::uint64_t>(bytes, buffer.size()));
         if (std::fread(buffer.data(), 1, want, file) != want) return 0;
-        for (std::size_t k = 0; k < want; k += 8) {
-            std::uint64_t word = 0;
-            std::memcpy(&word, buffer.data() + k, std::min<std::size_t>(8, want - k));
-            value = (value ^ word) * 1099511628211U;
-            value ^= value >> 29;  // high bits reach the low ones, which a product alone never does
-        }
+        value = checksum(value, buffer.data(), want);
         bytes -= want;
     }
     return value;
@@ -101,6 +109,18 @@ bool seal(const std::string& path) {
     end.checksum = checksum(file.get(), end.bytes);
     std::fseek(file.get(), 0, SEEK_END);
     return std::fwrite(&end, sizeof end, 1, file.get()) == 1 && std::fflush(file.get()) == 0 && fsync(fileno(file.get())) == 0;
+}
+
+/// Writes the bytes of a whole file, with its trailer where it is to be sealed, and sees that all is on the disk.
+bool put(const std::string& path, const std::vector<char>& image, bool sealed) {
+    file_pointer file(std::fopen(path.c_str(), "wb"));
+    if (!file) return false;
+    trailer end;
+    end.bytes = image.size();
+    end.checksum = checksum(checksum_start(end.bytes), image.data(), image.size());
+    return std::fwrite(image.data(), 1, image.size(), file.get()) == image.size() &&
+           (!sealed || std::fwrite(&end, sizeof end, 1, file.get()) == 1) && std::fflush(file.get()) == 0 &&
+           fsync(fileno(file.get())) == 0 && std::fclose(file.release()) == 0;
 }
 
 /// What is wrong with a checksummed file, or nothing.
@@ -143,7 +163,14 @@ hdf5_file::hdf5_file(const std::string& path, mode access, MPI_Comm ranks) : pat
         agree(H5Fis_hdf5(path_.c_str()) <= 0, "is not an HDF5 file");
     }
     const handle access_list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    H5Pset_fapl_mpio(access_list, ranks_, MPI_INFO_NULL);
+    if (size_ > 1) {
+        H5Pset_fapl_mpio(access_list, ranks_, MPI_INFO_NULL);
+    } else if (!reads()) {
+        // Made in memory: HDF5 does not get over a disk that is full.  That there is a place for it is seen here.
+        const file_pointer probe(std::fopen(part(path_).c_str(), "wb"));
+        agree(!probe, std::string("cannot be opened: ") + std::strerror(errno));
+        H5Pset_fapl_core(access_list, std::size_t{1} << 24, false);
+    }
     if (reads()) {
         file_ = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access_list);
     } else {
@@ -164,9 +191,22 @@ void hdf5_file::abandon() {
 void hdf5_file::close() {
     const quiet no_printing;
     bool failed = H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0;
-    const std::string why = failed ? cause() : "";
+    std::string why = failed ? cause() : "";
+    std::vector<char> image;
+    if (size_ == 1 && !reads()) {
+        image.resize(static_cast<std::size_t>(std::max<ssize_t>(0, H5Fget_file_image(file_, nullptr, 0))));
+        failed = H5Fget_file_image(file_, image.data(), image.size()) < 0 || image.empty() || failed;
+    }
     failed = H5Fclose(std::exchange(file_, -1)) < 0 || failed;
     if (reads()) return;
+    if (size_ == 1) {
+        failed = failed || !put(part(path_), image, mode_ == mode::write_checksummed);
+        failed = failed || std::rename(part(path_).c_str(), path_.c_str()) != 0;
+        if (failed && why.empty()) why = std::strerror(errno);
+        if (failed) std::remove(part(path_).c_str());
+        agree(failed, "cannot be written: " + why);
+        return;
+    }
     int any = failed ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_LOR, ranks_);
     if (rank_ == 0) {
@@ -215,7 +255,7 @@ void hdf5_file::write(const std::string& name, const std::vector<Value>& values,
             H5Sselect_none(memory_space);
         }
         const handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
-        H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
+        if (size_ > 1) H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
         const bool failed = H5Dwrite(set, memory_type<Value>(), memory_space, file_space, transfer, values.data()) < 0;
         agree(failed, name + " cannot be written (is the disk full?): " + (failed ? cause() : ""));
     }
@@ -256,7 +296,7 @@ std::vector<Value> hdf5_file::read(const std::string& name, std::size_t columns)
     }
     std::vector<Value> values(static_cast<std::size_t>(last - first) * columns);
     const handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
-    H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
+    if (size_ > 1) H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
     // An array without rows has no place in the file.
     const bool failed =
         all[0] > 0 && H5Dread(set, memory_type<Value>(), memory_space, file_space, transfer, values.data()) < 0;
