@@ -37,7 +37,8 @@ const char* const watched_rows = "program/history";
 /// One run from its settings to its report.
 class session {
   public:
-    explicit session(const command_line& command) : command_(command), scene_(read_scene(command.scene)) {
+    explicit session(const command_line& command)
+        : command_(command), scene_(read_scene(command.scene)), line_(stdout, command.quiet) {
         for (const std::string& assignment : command.assignments) set_key(scene_, assignment);
         planned_ = foresee(scene_);
     }
@@ -51,24 +52,23 @@ class session {
         std::string remark;
         if (!command_.restart.empty()) saved = read_checkpoint(command_.restart, scene_, remark);
         listen_to_signals();
-        progress line(stdout, command_.quiet);
         if (!remark.empty()) std::fputs(remark.c_str(), stderr);
-        line.say(expectation(scene_, planned_));
+        line_.say(expectation(scene_, planned_));
         furnace shaft(scene_);
         if (!command_.restart.empty()) {
             watched_.rows = saved[watched_rows];
             shaft.restore(saved);
-            line.say("goes on from " + command_.restart + ", coupling " + std::to_string(shaft.steps_done()));
+            line_.say("goes on from " + command_.restart + ", coupling " + std::to_string(shaft.steps_done()));
         }
         results_ = std::make_unique<results>(command_.output);
         keep([&] { results_->scene(scene_); });
         while (!shaft.done()) {
             step(shaft);
-            line.show(shaft.now());
-            if (stop_signal != 0) return stop(shaft, line);
+            line_.show(shaft.now());
+            if (stop_signal != 0) return stop(shaft);
             if (interval() >= scene_.output.interval) write_checkpoint(shaft);
         }
-        return end(shaft, line);
+        return end(shaft);
     }
 
   private:
@@ -98,32 +98,37 @@ class session {
             checkpoints(command_.output).write(state, scene_);
         });
         last_checkpoint_ = std::chrono::steady_clock::now();
+        if (!written) std::fprintf(stderr, "furnace: the checkpoints before it are kept\n");
         return written;
     }
 
-    int stop(const furnace& shaft, progress& line) {
-        line.end();
+    int stop(const furnace& shaft) {
+        line_.end();
         const bool written = write_checkpoint(shaft);
-        std::fprintf(stderr, "stopped by signal %d%s\n", static_cast<int>(stop_signal),
+        std::fprintf(stderr, "furnace: stopped by signal %d%s\n", static_cast<int>(stop_signal),
                      written ? (", go on with --restart " + command_.output).c_str() : ", without a new checkpoint");
         return written ? exit_code::stopped + static_cast<int>(stop_signal) : exit_code::bad_file;
     }
 
-    int end(const furnace& shaft, progress& line) {
-        line.end();
+    int end(const furnace& shaft) {
+        line_.end();
         const summary ending = shaft.summarise();
         keep([&] { results_->summary_file(shaft, ending, planned_, command_.summary); });
         keep([&] { results_->end(shaft, watched_); });
         write_checkpoint(shaft);
         std::string pictures = command_.output + "/furnace.png", reason;
-        if (!draw(command_.output, reason)) pictures = "none: " + reason + "; python3 " + command_.output + "/picture.py makes them";
+        if (!scene_.output.picture) {
+            pictures = "python3 " + command_.output + "/picture.py draws it";
+        } else if (!draw(command_.output, reason)) {
+            pictures = "none: " + reason + "; python3 " + command_.output + "/picture.py draws it then";
+        }
         if (!command_.quiet) {
             std::printf("\n%s\n%s\nresults  %s\npicture  %s\n", scene_.title.c_str(), comparison(scene_, ending).c_str(),
                         std::filesystem::absolute(command_.output).lexically_normal().c_str(), pictures.c_str());
         }
-        for (const std::string& warning : ending.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+        for (const std::string& warning : ending.warnings) std::fprintf(stderr, "furnace: warning: %s\n", warning.c_str());
         if (complete_) return exit_code::done;
-        std::fprintf(stderr, "the results are not complete: see above\n");
+        std::fprintf(stderr, "furnace: the results are not complete: see above\n");
         return exit_code::bad_file;
     }
 
@@ -134,7 +139,8 @@ class session {
             write();
             return true;
         } catch (const io::file_error& error) {
-            std::fprintf(stderr, "\n%s\n", error.what());
+            line_.end();
+            std::fprintf(stderr, "furnace: %s\n", error.what());
             complete_ = false;
             return false;
         }
@@ -143,6 +149,7 @@ class session {
     command_line command_;
     settings scene_;
     plan planned_;
+    progress line_;
     history watched_;
     std::unique_ptr<results> results_;
     std::chrono::steady_clock::time_point last_checkpoint_ = std::chrono::steady_clock::now();

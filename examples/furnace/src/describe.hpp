@@ -22,6 +22,7 @@ constexpr auto names(burning) {
     return std::array<std::string_view, 4>{"none", "mixed_is_burnt", "equilibrium", "jones_lindstedt"};
 }
 constexpr auto names(voidage_method) { return std::array<std::string_view, 2>{"filtered", "smoother"}; }
+constexpr auto names(bed_packing) { return std::array<std::string_view, 2>{"dem", "lattice"}; }
 constexpr auto names(burner_feed) { return std::array<std::string_view, 2>{"nozzles", "section"}; }
 constexpr auto names(start_from) { return std::array<std::string_view, 2>{"one_dimensional", "cold"}; }
 
@@ -57,6 +58,7 @@ void describe(Settings& s, Key&& key) {
     key("gas", "outlet_pressure_Pa", s.gas.pressure, range{1e3, 1e7}, "Absolute pressure in the off-gas pipe");
     key("gas", "ignition_temperature_K", s.gas.ignition_temperature, range{300, 3000}, "Gas around the burners at the start");
 
+    key("bed", "packing", s.bed.packing, range{}, "Where the parcels lie: as DEM lets them fall, or on a lattice of bed.void_fraction");
     key("bed", "motion", s.bed.motion, range{}, "How the bed moves");
     key("bed", "coarse_graining", s.bed.coarse_graining, range{1, 10}, "Diameter of a parcel over that of its particles");
     key("bed", "void_fraction", s.bed.void_fraction, range{0.3, 0.7}, "Mean void fraction of a bed that is not packed by DEM (assumed)");
@@ -92,6 +94,7 @@ void describe(Settings& s, Key&& key) {
 
     key("output", "checkpoint_interval_s", s.output.interval, range{0, 1e6}, "Wall time between checkpoints; 0: after every step");
     key("output", "frames", s.output.frames, range{0, 1e5}, "Frames of the time series for ParaView");
+    key("output", "picture", s.output.picture, range{}, "Draw the pictures at the end, with python3-matplotlib");
     key("output", "seed", s.output.seed, range{0, inf}, "Seed of the feed and of random packings");
 }
 

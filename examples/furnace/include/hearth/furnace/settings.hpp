@@ -31,6 +31,7 @@ struct wall_zone {
 enum class bed_motion { frozen, plug, recorded, dem };
 enum class burning { none, mixed_is_burnt, equilibrium, jones_lindstedt };
 enum class voidage_method { filtered, smoother };
+enum class bed_packing { dem, lattice };
 enum class burner_feed { nozzles, section };
 enum class start_from { one_dimensional, cold };
 
@@ -76,6 +77,7 @@ struct settings {
     } gas;
 
     struct {
+        bed_packing packing = bed_packing::dem;
         bed_motion motion = bed_motion::recorded;
         double coarse_graining = 4;
         double void_fraction = 0.418;      ///< of a plug-flow or frozen bed without DEM
@@ -121,6 +123,7 @@ struct settings {
     struct {
         double interval = 60;              ///< wall time between checkpoints [s]
         int frames = 20;                   ///< of the time series
+        bool picture = true;               ///< drawn at the end
         std::uint64_t seed = 1;
     } output;
 };
