@@ -31,6 +31,15 @@ gradient::gradient(const mesh& m) : mesh_(&m), inverse_(m.cells(), symmetric{0, 
     }
 }
 
+void gradient::solve(vector3* sums) const {
+    for (int c = 0; c < mesh_->owned_cells(); ++c) {
+        const symmetric& s = inverse_[c];
+        vector3& g = sums[c];
+        g = {s.xx * g.x + s.xy * g.y + s.xz * g.z, s.xy * g.x + s.yy * g.y + s.yz * g.z,
+             s.xz * g.x + s.yz * g.y + s.zz * g.z};
+    }
+}
+
 template <int Width>
 void gradient::compute(const double* field, const double* boundary, vector3* out) const {
     const mesh& m = *mesh_;

@@ -170,6 +170,7 @@ void solver::start_from_rest() {
 report solver::iterate() {
     take_bed();
     report r;
+    start_from_rest();
     inner_iteration(r, {}, nullptr);
     is_settled(r);
     check_balances(r, nullptr, 0, 0);

@@ -92,9 +92,7 @@ class flow {
     /// See solver.
     template <class Part>
     void each_memory(Part&& part) {
-        part("deferral", deferral_);
-        part("imbalance", imbalance_);
-        part("growing", growing_);
+        part("pressure_slope", slope_);
     }
     void forget_levels() { pressure_solver_.forget(); }
 
@@ -105,7 +103,7 @@ class flow {
     void predict(flow_state&, const flow_medium&, const flow_history&, const flow_settings&);
     void assemble_pressure(const flow_state&, const flow_medium&, const flow_boundary&, const flow_history&);
     void correct(flow_state&, const flow_medium&, const flow_history&);
-    void watch_deferral(double imbalance);
+    void find_pressure_slope(const flow_state&, const flow_medium&, const flow_boundary&, const flow_settings&);
 
     const mesh* mesh_;
     const pattern* pattern_;
@@ -122,9 +120,7 @@ class flow {
     array<double> total_;               // diagonal without relaxation and inertia [kg/s]
     array<double> relax_, inertia_;     // further diagonal parts; then all per volume [kg/(m^3 s)]
     array<double> right_, conductance_, explicit_flux_, previous_pressure_;
-    double deferral_ = 0.5;   // part of a new pressure slope that is taken over, where the mesh leans [-]
-    double imbalance_ = 0;    // of the last iteration [-]
-    int growing_ = 0;         // iterations in a row that made it larger
+    array<vector3> slope_, last_slope_;  // of the pressure, where the mesh leans [Pa/m]
 };
 
 }  // namespace hearth::gas

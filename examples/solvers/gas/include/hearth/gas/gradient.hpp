@@ -18,6 +18,10 @@ class gradient {
     template <int Width>
     void compute(const double* field, const double* boundary, vector3* out) const;
 
+    /// Turns, for each owned cell, the sum over its faces of d difference / |d|^2 into the gradient that fits the
+    /// differences best; d as in the constructor, from the cell to its neighbour or to its boundary face.
+    void solve(vector3* sums) const;
+
   private:
     const mesh* mesh_;
     struct symmetric { double xx, xy, xz, yy, yz, zz; };
