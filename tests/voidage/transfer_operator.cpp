@@ -206,6 +206,38 @@ TEST_CASE("transfer operator: a particle moved changes only its own shares, and 
     CHECK(transfer.footprint(7) == before);
 }
 
+TEST_CASE("transfer operator: without a kernel it is the Volume Fraction Smoother of the centre deposit, with vectors") {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        CAPTURE(seed);
+        scene s(seed);
+        s.settings.width = 0.0;
+        const hearth::cell_graph graph(s.mesh);
+        const hearth::cell_locator locator(s.mesh, graph);
+        hearth::transfer_operator<box_mesh> transfer(locator, s.settings);
+        std::vector<double> fraction(s.cells()), plain(s.cells());
+        const auto report = transfer.distribute(s.bed, fraction, hearth::deposit::centre{});
+        hearth::deposit_solid_fraction(locator, s.bed, plain, hearth::deposit::centre{});
+        hearth::volume_fraction_smoother smoother(graph, hearth::vfs_settings{s.settings.threshold});
+        CHECK(smoother.smooth(plain).touched_cells == report.cap.touched_cells);
+        CHECK(plain == fraction);
+
+        // Momentum goes where the log of the smoother says.
+        std::vector<std::array<double, 3>> forces(s.particles()), on_gas(s.cells());
+        for (auto& f : forces) f = {s.random.uniform(-1, 1), s.random.uniform(-1, 1), s.random.uniform(-1, 1)};
+        transfer.scatter(forces, on_gas);
+        for (std::size_t a = 0; a < 3; ++a) {
+            std::vector<double> along(s.cells(), 0.0);
+            double scale = 0;
+            for (std::size_t p = 0; p < s.particles(); ++p) {
+                along[static_cast<std::size_t>(s.mesh.find(s.bed.positions[p]))] += forces[p][a];
+                scale += std::abs(forces[p][a]);
+            }
+            smoother.scatter(along);
+            for (std::size_t c = 0; c < s.cells(); ++c) CHECK(std::abs(on_gas[c][a] - along[c]) <= 1e-13 * scale);
+        }
+    }
+}
+
 TEST_CASE("transfer operator: refuses what it cannot do, and leaves the fields") {
     const hearth::lattice mesh{{{4, 4, 4}, {1, 1, 1}, {false, false, false}, {0, 0, 0}}};
     const hearth::cell_graph graph(mesh);
@@ -223,7 +255,8 @@ TEST_CASE("transfer operator: refuses what it cannot do, and leaves the fields")
     CHECK(field == fraction);
     std::vector<double> gas(64, 1.0), seen(bed.radii.size(), 7.0);
     gas[9] = std::numeric_limits<double>::infinity();
-    CHECK_THROWS_AS(transfer.gather(gas, seen), hearth::bad_value);
+    CHECK_THROWS_WITH_AS(transfer.gather(gas, seen), "hearth: value of cell 9 is inf, allowed: finite",
+                         hearth::bad_value);
     CHECK(seen == std::vector<double>(bed.radii.size(), 7.0));
 
     // Five times the spheres do not fit; the field stays, and there is no map.

@@ -49,6 +49,7 @@ TEST_CASE("vfs: keeps the solid volume of any graph and leaves no cell above the
     const char* const asked = std::getenv("HEARTH_VFS_GRAPHS");
     const int count = asked != nullptr ? std::atoi(asked) : 1500;
     int completed = 0, full = 0;
+    double worst_error = 0, worst_excess = 0;
     for (int seed = 1; seed <= count; ++seed) {
         CAPTURE(seed);
         const vfs_case example(static_cast<std::uint64_t>(seed), asked != nullptr ? 1e5 : 2e4);
@@ -65,6 +66,12 @@ TEST_CASE("vfs: keeps the solid volume of any graph and leaves no cell above the
         CHECK(report.stranded_volume == 0);
         completed += report.stuck_cells > 0 ? 1 : 0;
         full += example.full ? 1 : 0;
+        worst_error = std::max(worst_error, volume_error(example, field));
+        worst_excess = std::max(worst_excess, largest(field) / example.threshold - 1);
+    }
+    if (asked != nullptr) {
+        MESSAGE(count << " graphs, " << completed << " completed, " << full << " full: relative volume error "
+                      << worst_error << ", excess over the threshold " << worst_excess);
     }
     CHECK(completed > count / 3);  // the sample exercises the completion
     CHECK(full > count / 5);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <hearth/voidage/vfs.hpp>
@@ -115,6 +116,39 @@ TEST_CASE("vfs transfer: without a former call, and after an idle one, nothing m
     (void)run.smoother.smooth(low);
     run.smoother.scatter(amounts);
     CHECK(amounts == before);
+}
+
+TEST_CASE("vfs transfer: what is not finite is refused by its cell, and the field stays") {
+    const double infinite = std::numeric_limits<double>::infinity();
+    seeded random(12);
+    int refused = 0;
+    for (int seed = 1; seed <= 100; ++seed) {
+        CAPTURE(seed);
+        smoothed_case run(seed);
+        const auto good = random_field(run.field.size(), random);
+        const std::size_t at = random.index(good.size());
+        CAPTURE(at);
+        const auto refuses = [&](auto&& call, const char* what) {
+            auto spoilt = good;
+            spoilt[at] = infinite;
+            try {
+                call(spoilt);
+                // Allowed where the map leaves the cell alone: nothing else may have been touched by it.
+                for (const double v : spoilt) CHECK_FALSE(std::isnan(v));
+                CHECK(std::count(spoilt.begin(), spoilt.end(), infinite) == 1);
+            } catch (const bad_value& error) {
+                ++refused;
+                CHECK(error.place == what);
+                CHECK(error.index == static_cast<std::int64_t>(at));
+                CHECK(error.value == infinite);
+                spoilt[at] = good[at];
+                CHECK(spoilt == good);
+            }
+        };
+        refuses([&](auto& field) { run.smoother.scatter(field); }, "amount of cell");
+        refuses([&](auto& field) { run.smoother.gather(field); }, "value of cell");
+    }
+    CHECK(refused > 50);
 }
 
 TEST_CASE("vfs transfer: fields of float too") {

@@ -89,7 +89,8 @@ struct divided {
 
 /// The default: a cell is filled to the degree  clamp(1/2 - (s - max(R, h/2)) / w, 0, 1),  w = 1.25 clamp(2R, 0.3 h,
 /// h), s the distance of the cell's centre from the particle's and h the chord of the cell's ellipsoid along it.  The
-/// shares are in proportion to that times V / (V + (2R)^3).
+/// shares are in proportion to that times V / (V + (2R)^3).  The axes of the ellipsoid are the extents of the cell;
+/// where their box is larger than the cell, as with polyhedra, it is shrunk to the volume of the cell.
 ///
 /// So cells smaller than the particle get the volume that it fills in them, to first order in h / R.  A particle
 /// smaller than its cell is shared while it passes a face, about where it overlaps with both sides, in equal parts when
@@ -97,7 +98,7 @@ struct divided {
 /// every ratio of sizes; the slope is at most 3 / h.  Where no cell would be filled to 1/2 (a small particle near an
 /// edge, or cells that their extents do not cover, as polyhedra), s/h is lowered by the same amount for all cells until
 /// one is, which is continuous too: the sum of all degrees never vanishes.  (Where even the nearest cell is more
-/// than 1.7 of its extents away, the host's extents are wrong: its find_cell decides.)
+/// than 1.8 of its extents away, the host's extents are wrong: its find_cell decides.)
 ///
 /// Outside the mesh is a particle whose centre is in the box of no cell, if find_cell finds none for it either.
 struct ramp {
@@ -111,8 +112,8 @@ struct ramp {
     template <class Locator>
     sighting look(const Locator& locator, const visitor& v) const {
         sighting seen{false, std::numeric_limits<double>::infinity()};
-        const auto glance = [&](std::int32_t, const point& offset, const point& extent) {
-            const place at(offset, extent, v.radius);
+        const auto glance = [&](std::int32_t cell, const point& offset, const point& extent) {
+            const place at(offset, extent, locator.graph().volume(cell), v.radius);
             seen.nearest = std::min(seen.nearest, at.depth);
             seen.inside = seen.inside || at.in_box;
         };
@@ -131,25 +132,30 @@ struct ramp {
         // less.
         locator.for_each_near(v.position, v.radius, 0.5 + 0.5 * narrowest * width + lowered,
                               [&](std::int32_t cell, const point& offset, const point& extent) {
-                                  const place at(offset, extent, v.radius);
+                                  const double volume = locator.graph().volume(cell);
+                                  const place at(offset, extent, volume, v.radius);
                                   const double filled = std::min(0.5 - (at.depth - lowered) / at.width, 1.0);
                                   if (filled <= 0) return;
-                                  const double volume = locator.graph().volume(cell);
                                   visit(cell, filled * (volume / (volume + cube)));
                               });
     }
 
   private:
     static constexpr double deepest_in_box = 0.3661;  ///< of a tiny particle in the corner of a box: (sqrt(3) - 1) / 2
-    /// A cell this deep is 1.7 extents away; with `lowered`, all that get a share are within `widest`.
-    static constexpr double deepest_sought = 1.2;
+    /// A cell this deep is 1.8 extents away; with `lowered`, all that get a share are within `widest`.
+    static constexpr double deepest_sought = 1.3;
+    /// A corner of a box that was shrunk by this is no deeper than `deepest_sought`: s/h is sqrt(3).  A tetrahedron of
+    /// six that make a cube takes 6^(1/3); an oblique thin layer would take more, and is taken for thicker.
+    static constexpr double most_shrunk = 2;
 
     /// Where a cell's centre is, seen from a particle.
     struct place {
-        place(const point& offset, const point& extent, double radius) {
+        place(const point& offset, const point& extent, double volume, double radius) {
+            const double box = extent[0] * extent[1] * extent[2];
+            const double shrink = volume < 0.999 * box ? std::min(std::cbrt(box / volume), most_shrunk) : 1.0;
             double distance2 = 0, chords2 = 0, curvature = 0, largest = 0;
             for (std::size_t a = 0; a < 3; ++a) {
-                const double per_extent = 1 / extent[a];
+                const double per_extent = shrink / extent[a];
                 const double along = offset[a] * per_extent;
                 distance2 += offset[a] * offset[a];
                 chords2 += along * along;
@@ -162,7 +168,7 @@ struct ramp {
                 radius * std::sqrt((chords2 + blend2 * curvature / 3) / (distance2 + blend2));
             depth = std::sqrt(chords2) - std::max(radius_in_chords, 0.5);
             width = ramp::width * std::clamp(2 * radius_in_chords, narrowest, 1.0);
-            in_box = largest <= 0.5 * (1 + 1e-12);  // on a face: in both cells
+            in_box = largest <= 0.5 * shrink * (1 + 1e-12);  // on a face: in both cells
         }
 
         double depth;  ///< distance of the cell's centre from the particle's surface, in chords; negative inside
@@ -204,6 +210,24 @@ deposit_report count_particles(const visitors<Communicator>& particles) {
     auto count = static_cast<std::int64_t>(particles.owned_count());
     particles.communicator().sum(&count, 1);
     return {count, volume.value(), 0};
+}
+
+/// Volume-weighted mean radius of all particles [m]; 0 where there are none.
+template <class Communicator>
+double mean_radius(const visitors<Communicator>& particles) {
+    double largest = 0;
+    for (std::size_t i = 0; i < particles.owned_count(); ++i) largest = std::max(largest, particles.owned(i).radius);
+    largest = particles.communicator().max(largest);
+    if (largest == 0) return 0;
+    reproducible_sum weight(1.0, std::int64_t{1} << 36), weighted = weight;
+    for (std::size_t i = 0; i < particles.owned_count(); ++i) {
+        const double relative = particles.owned(i).radius / largest, cube = relative * relative * relative;
+        weight.add(cube);
+        weighted.add(cube * relative);
+    }
+    particles.communicator().sum(weight.limbs(), reproducible_sum::limb_count());
+    particles.communicator().sum(weighted.limbs(), reproducible_sum::limb_count());
+    return largest * (weighted.value() / weight.value());
 }
 
 /// Sets the solid fraction [-] of every owned cell from the particles' volumes, unsmoothed: fractions above 1 are

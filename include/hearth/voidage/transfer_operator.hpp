@@ -89,7 +89,7 @@ class transfer_operator {
         const deposit_report deposited = count_particles(particles.visitors());
         report.particles = deposited.particles;
         report.solid_volume = deposited.solid_volume;
-        report.width = settings_.width ? *settings_.width : half_mean_diameter(particles.visitors());
+        report.width = settings_.width ? *settings_.width : mean_radius(particles.visitors());
 
         const std::vector<double> volumes = solid_volumes(particles, graph().cell_count());
         smooth(volumes, report);
@@ -158,9 +158,12 @@ class transfer_operator {
         require_map();
         std::vector<std::vector<double>> result;
         for (std::size_t a = 0; a < component_count<CellValues>; ++a) {
+            std::optional<bad_value> wrong;
             for (std::int32_t c = 0; c < graph().cell_count(); ++c) {
-                cells_[static_cast<std::size_t>(c)] = component(element(cells, c), a);
+                const double value = cells_[static_cast<std::size_t>(c)] = component(element(cells, c), a);
+                if (!std::isfinite(value) && !wrong) wrong.emplace("value of cell", graph().global_index(c), value, "finite");
             }
+            throw_agreed(graph().communicator(), wrong);
             cap_.gather(cells_);
             const smoothing_report smoothed = smoother_->smooth(cells_);
             result.push_back(footprints_->gather(cells_.data(), std::max(-smoothed.lowest, smoothed.highest)));
@@ -203,24 +206,6 @@ class transfer_operator {
                 }
             }
         }
-    }
-
-    /// Volume-weighted mean radius over all ranks [m].
-    double half_mean_diameter(const visitors<Communicator>& particles) const {
-        double largest = 0;
-        for (std::size_t i = 0; i < particles.owned_count(); ++i)
-            largest = std::max(largest, particles.owned(i).radius);
-        largest = graph().communicator().max(largest);
-        if (largest == 0) return 0;  // no particles
-        reproducible_sum weight(1.0, std::int64_t{1} << 36), weighted = weight;
-        for (std::size_t i = 0; i < particles.owned_count(); ++i) {
-            const double relative = particles.owned(i).radius / largest, cube = relative * relative * relative;
-            weight.add(cube);
-            weighted.add(cube * relative);
-        }
-        graph().communicator().sum(weight.limbs(), reproducible_sum::limb_count());
-        graph().communicator().sum(weighted.limbs(), reproducible_sum::limb_count());
-        return largest * (weighted.value() / weight.value());
     }
 
     /// Smooths the deposited volumes into cells_ [-], with a series so tight that no cell falls below zero by more than

@@ -114,7 +114,9 @@ class volume_fraction_smoother {
     }
 
     /// Moves amounts of owned cells, such as sources of momentum, heat or species [unit of choice], as the last call of
-    /// smooth() moved the solid: everything that was in a cell goes where its solid went.  Keeps the sum.  All finite.
+    /// smooth() moved the solid: everything that was in a cell goes where its solid went.  Keeps the sum.  Looks only at
+    /// cells that gave solid or received some.
+    /// Errors, with the field as it was, on all ranks: bad_value for a value of those that is not finite.
     template <class Field>
     void scatter(Field&& amounts) {
         replay_.scatter(amounts);
@@ -122,6 +124,7 @@ class volume_fraction_smoother {
 
     /// The transpose of scatter(): for each owned cell the mean of a field over the places where the solid of that cell
     /// went; sum(amount * gather(value)) = sum(scatter(amount) * value).  A constant stays as it is.
+    /// Errors: as scatter.
     template <class Field>
     void gather(Field&& values) {
         replay_.gather(values);

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include <hearth/core/agree.hpp>
 #include <hearth/core/element.hpp>
+#include <hearth/core/error.hpp>
 #include <hearth/core/reproducible_sum.hpp>
 #include <hearth/voidage/vfs_cells.hpp>
 #include <hearth/voidage/vfs_completion.hpp>
@@ -36,6 +39,7 @@ class smoothing_replay {
     /// Moves amounts as the solid was moved.
     template <class Field>
     void scatter(Field& amounts) {
+        refuse_infinite(amounts, "amount of cell", [](auto&&...) {});
         const std::uint8_t* bits = log_.bits();
         for (std::size_t sweep = 0; sweep < log_.sweeps(); ++sweep) {
             if constexpr (is_distributed) {
@@ -72,6 +76,10 @@ class smoothing_replay {
     /// The transpose: what a unit put into a cell would meet where scatter() sends it.
     template <class Field>
     void gather(Field& values) {
+        const auto each_receiver = [&](index cell, const std::uint8_t* bits, auto&& look) {
+            for_each_receiver(cell, bits, look);
+        };
+        refuse_infinite(values, "value of cell", each_receiver);
         sum_pools(log_.receiving(),
                   [&](const auto& entry) { return entry.part * static_cast<double>(at(values, entry.cell)); });
         for (const auto& entry : log_.giving()) {
@@ -137,6 +145,27 @@ class smoothing_replay {
             rest += grown.error;
         });
         return volume + rest;
+    }
+
+    /// Throws, on all ranks, where a value that the map would move or mix is not finite.
+    template <class Field, class EachOther>
+    void refuse_infinite(const Field& field, const char* place, const EachOther& for_each_other) {
+        std::optional<bad_value> wrong;
+        const auto look = [&](index cell) {
+            if (!is_owned(cell) || wrong) return;
+            const auto value = static_cast<double>(element(field, cell));
+            if (!std::isfinite(value)) wrong.emplace(place, mesh_.graph().global_index(cell), value, "finite");
+        };
+        const std::uint8_t* bits = log_.bits();
+        for (std::size_t sweep = 0; sweep < log_.sweeps(); ++sweep) {
+            for_each_giver(sweep, bits, [&](std::size_t, index cell) {
+                look(cell);
+                for_each_other(cell, bits, look);
+            });
+        }
+        for (const auto& entry : log_.giving()) look(entry.cell);
+        for (const auto& entry : log_.receiving()) look(entry.cell);
+        throw_agreed(mesh_.graph().communicator(), wrong);
     }
 
     /// Takes from an amount what its cell gives, per volume of its receivers.

@@ -38,22 +38,25 @@ class smoothing_wave {
 
     /// Forgets the former call.
     void clear() {
-        next_.clear();
+        next_count_ = 0;
         stuck_.clear();
         sweeps_ = 0;
         smoothed_ = 0;
     }
 
     /// Says, before run(), that a cell is over-full; twice does no harm.
-    void insert(index cell) { next_.push_back(cell); }
+    void insert(index cell) {
+        reserve_next(1);
+        next_[next_count_++] = cell;
+    }
 
     template <class Read>
     void run(double threshold, smoothing_cells& cells, smoothing_log& log, const Read& read) {
         for (;; ++sweeps_) {
-            if (!mesh_.graph().communicator().any(!next_.empty())) return;
+            if (!mesh_.graph().communicator().any(next_count_ > 0)) return;
             front_.clear();
-            for (const index cell : next_) order_.insert(mesh_.place(cell));
-            next_.clear();
+            for (std::size_t k = 0; k < next_count_; ++k) order_.insert(mesh_.place(next_[k]));
+            next_count_ = 0;
             order_.drain([&](std::size_t place) { front_.push_back(mesh_.cell_at(place)); });
             for (const index cell : front_) {
                 cells.touch(cell, read);
@@ -117,6 +120,11 @@ class smoothing_wave {
         }
     }
 
+    /// Makes room for so many more cells of the next sweep.
+    void reserve_next(std::size_t more) {
+        if (next_.size() < next_count_ + more) next_.resize(2 * (next_count_ + more));
+    }
+
     /// The neighbours that are not marked, as cells and as bits of the row, and the sum of their volumes.
     void find_receivers(index cell, const smoothing_cells& cells) {
         const auto row = mesh_.neighbours(cell);
@@ -165,6 +173,7 @@ class smoothing_wave {
     template <class Read>
     void give(index cell, share given, double threshold, smoothing_cells& cells, smoothing_log& log, const Read& read) {
         log.append(cell, threshold / cells[cell].value, bits_.data(), bits_.size());
+        reserve_next(receiver_count_);
         for (std::size_t r = 0; r < receiver_count_; ++r) {
             const index n = receivers_[r];
             if (is_distributed && n >= mesh_.owned()) continue;
@@ -173,7 +182,8 @@ class smoothing_wave {
             const two_sum rounded(grown.sum, grown.error + static_cast<double>(receiver.rest + given.rest));
             receiver.value = rounded.sum;
             receiver.rest = static_cast<float>(rounded.error);
-            if (receiver.value > threshold) next_.push_back(n);
+            next_[next_count_] = n;
+            next_count_ += receiver.value > threshold ? 1 : 0;  // without a branch
         }
         if (is_distributed && cell >= mesh_.owned()) return;
         cells.set_fraction(cell, threshold);
@@ -181,7 +191,8 @@ class smoothing_wave {
     }
 
     const mesh_type& mesh_;
-    std::vector<index> next_;
+    std::vector<index> next_;     // over-full cells of the next sweep, some more than once, and room for more
+    std::size_t next_count_ = 0;  // of those
     ordered_set order_;
     std::vector<index> front_;
     std::vector<index> stuck_;
