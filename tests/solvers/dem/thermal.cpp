@@ -195,7 +195,7 @@ TEST_CASE("radiative conductivity of a settled bed is that of the view factors; 
         p.solid_fraction = fraction[k - 1];
         const hearth::scene shines{hearth::radiation{hearth::closure::feng_han::monte_carlo_fit{}, p}};
         auto links = shines.links(warm, warm);
-        scale_radiation(links, k);
+        scale_parcels(links, k);
         radiative[k - 1] = conductivity_of(b, core, links, [&](const auto& link) {
             return 4 * temperature * temperature * temperature * link.radiation;
         });

@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include <hearth/core/contact_traits.hpp>
 #include <hearth/core/error.hpp>
 #include <hearth/core/particle_traits.hpp>
+#include <hearth/core/thermal_link.hpp>
+#include <hearth/transfer/links.hpp>
 
 #include <hearth/dem/bed.hpp>
 
@@ -26,7 +29,7 @@ struct thermal_material {
 ///
 /// Parcels: a sphere of the bed may stand for k^3 grains of a k-th of its radius.  `grains()` is the cloud of what the gas
 /// sees: one grain per parcel, whose exchange counts k^3 times.  Between spheres contacts conduct unscaled and radiation of
-/// a pair is divided by k, see scale_radiation(): conductivity and heating of the bed do not depend on k.
+/// a pair is divided by k, see scale_parcels(): conductivity and heating of the bed do not depend on k.
 class thermal_bed {
   public:
     thermal_bed(bed& spheres, const thermal_material& material, int parcel_factor = 1)
@@ -89,10 +92,15 @@ struct grain_cloud {
 
 inline grain_cloud grains(thermal_bed& b) { return {&b}; }
 
-/// To be called once on the links of a scene: what the radiation between two parcels is less than that of two spheres.
-template <class LinkList>
-void scale_radiation(LinkList& links, int parcel_factor) {
-    for (auto& pair : links.pairs) pair.link.radiation /= parcel_factor;
+/// To be called once on the links of a scene, so that the bed conducts as one of grains.  A bed of spheres k times as large
+/// conducts alike by contacts and gas films and k times as much by radiation, but a k-th as much through contacts with walls.
+template <class Link>
+void scale_parcels(link_list<Link>& links, int parcel_factor) {
+    const double k = parcel_factor;
+    if constexpr (!std::is_same_v<Link, conductive_link<double>>)
+        for (auto& pair : links.pairs) pair.link.radiation /= k;
+    if constexpr (!std::is_same_v<Link, radiative_link<double>>)
+        for (auto& wall : links.walls) wall.link.conductance *= k;
 }
 
 }  // namespace hearth::dem

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <hearth/closure/feng_han.hpp>
+#include <hearth/closure/hertz.hpp>
+#include <hearth/closure/wall_view.hpp>
+#include <hearth/core/constants.hpp>
+#include <hearth/dem/thermal_bed.hpp>
+#include <hearth/scene/scene.hpp>
+#include <hearth/time/caloric.hpp>
+#include <hearth/time/thermal_network.hpp>
+#include <hearth/transfer/conduction.hpp>
+#include <hearth/transfer/radiation.hpp>
+
+#include "solvers/dem/packed.hpp"
+#include "support/warm_bed.hpp"
+
+/// The bed of Yagi and Kunii 1957 (doi:10.1002/aic.690030317, Table 4): iron spheres of 11 mm, void fraction 0.40, in air.
+namespace hearth_test {
+
+namespace iron {
+constexpr double diameter = 0.011, density = 7870, youngs_modulus = 2.0e11, poisson_ratio = 0.29;
+constexpr double conductivity = 45 * 1.163;  ///< as in their table [W/(m K)]
+
+/// Air as in their paper [W/(m K)].
+inline double gas_conductivity(double kelvin) {
+    constexpr std::array<double, 7> table{.0211, .0338, .0447, .0534, .0602, .0655, .0696};  // each 200 C from 0 C
+    const double at = std::clamp((kelvin - 273.15) / 200, 0.0, 5.999);
+    const auto k = static_cast<std::size_t>(at);
+    return 1.163 * (table[k] + (at - static_cast<double>(k)) * (table[k + 1] - table[k]));
+}
+
+/// Their Eq. 15 for a resting gas: k_e/k_g = beta (1 - e) / (k_g/k_s + 1/(1/phi + D h_rs/k_g)) + e beta D h_rv/k_g with
+/// phi = 0.034, e = 0.40.  emissivity: p of the paper.
+inline double yagi_kunii(double kelvin, double beta, double emissivity, double void_fraction = 0.40) {
+    const double gas = gas_conductivity(kelvin), cube = 0.1952 * 1.163 * std::pow(kelvin / 100, 3);
+    const double surface = cube * emissivity / (2 - emissivity);
+    const double across_void = cube / (1 + void_fraction * (1 - emissivity) / (2 * (1 - void_fraction) * emissivity));
+    return gas * (beta * (1 - void_fraction) / (gas / conductivity + 1 / (1 / 0.034 + diameter * surface / gas)) +
+                  void_fraction * beta * diameter * across_void / gas);
+}
+}  // namespace iron
+
+/// A bed that was poured onto a plate, between smooth sides, and has a second plate pressed on top.  Plates are the patches
+/// 0 and 2.  Spheres may be parcels of k.
+struct plate_bed {
+    bed spheres;
+    int parcel_factor;
+    double height = 0;  ///< between the plates [m]
+    zone core{};        ///< what is farther than 2.5 diameters from all walls
+    double solid = 0;   ///< fraction of the core [-]
+
+    plate_bed(int factor, double radius, double column, double friction, double gravity = 9.81)
+        : spheres(settings(factor, friction, gravity)), parcel_factor(factor) {
+        const double d = factor * iron::diameter;
+        bed_settings smooth = spheres.settings();
+        smooth.contact.friction = 0;
+        spheres.add_wall(wall_of(smooth, hearth::dem::shape::plane({0, 0, 0}, {0, 0, 1}), 0));
+        spheres.add_wall(wall_of(smooth, hearth::dem::shape::cylinder({0, 0, -1}, {0, 0, 10}, radius), 1));
+        feed_into({{0, 0, 0}, radius, column}, iron::density, d, d).fill(spheres);
+        settle(spheres, 60000);
+        double top = 0;
+        for (hearth::dem::index i = 0; i < spheres.size(); ++i) top = std::fmax(top, spheres.spheres()[i].centre.z + d / 2);
+        const int lid = spheres.add_wall(wall_of(smooth, hearth::dem::shape::plane({0, 0, top + 0.01 * d}, {0, 0, -1}), 2));
+        const double pace = 0.05 * factor;  // [m/s]
+        const double pressed = 1000 * hearth::constants<double>::pi() * radius * radius;  // by 1 kPa
+        spheres.set_motion(lid, {{0, 0, -pace}, {}, {}});
+        height = top + 0.01 * d;
+        while (spheres.force_on_wall(lid).z < pressed) {
+            spheres.advance(50);
+            height -= 50 * spheres.settings().step * pace;
+        }
+        spheres.set_motion(lid, {});
+        settle(spheres, 20000);
+        core = {{0, 0, 2.5 * d}, radius - 2.5 * d, height - 5 * d};
+        solid = solid_fraction(spheres, core);
+    }
+
+    static bed_settings settings(int factor, double friction, double gravity) {
+        bed_settings s;
+        s.gravity = {0, 0, -gravity};
+        s.body = {1.0e8, iron::poisson_ratio};
+        s.step = 3e-5 * factor;
+        s.contact.friction = friction;
+        s.contact.damping = 0.5;
+        return s;
+    }
+};
+
+/// Effective conductivity of the core, and the parts of contacts, gas films and radiation in it [W/(m K)].
+struct conductivity_parts {
+    double contact = 0, film = 0, radiation = 0;
+    double between_plates = 0;  ///< heat from plate to plate over the whole height: with the resistance at the plates
+    double core() const { return contact + film + radiation; }
+};
+
+enum class heat_paths { all, radiation };
+
+/// Plates at 10 K above and below a temperature, steady: one step of the implicit network, longer than any time of the bed.
+/// The conductivity is the mean flux in the core, sum of heat times way over volume, over the mean gradient there.
+inline conductivity_parts conductivity_between_plates(plate_bed& made, double kelvin, double emissivity, double cutoff = 2.5,
+                                                    heat_paths paths = heat_paths::all) {
+    using namespace hearth;
+    namespace dem = hearth::dem;
+    bed& b = made.spheres;
+    b.set_patch_temperature(0, kelvin + 10);
+    b.set_patch_temperature(2, kelvin - 10);
+    const double k = made.parcel_factor;
+    dem::thermal_bed warm(b, {500, iron::conductivity, emissivity}, made.parcel_factor);
+    gas_samples gas(static_cast<std::size_t>(b.size()));
+    std::fill(gas.conductivity.begin(), gas.conductivity.end(), iron::gas_conductivity(kelvin));
+    std::fill(gas.void_fraction.begin(), gas.void_fraction.end(), 1 - made.solid);
+
+    contact_materials materials;
+    materials.particle = materials.wall = {iron::youngs_modulus, iron::poisson_ratio};
+    materials.wall_conductivity = iron::conductivity;
+    radiation_params p;
+    p.solid_fraction = made.solid;
+    p.emissivity = emissivity;
+    p.cutoff = cutoff;
+    p.open_from = 1;  // closed by plates
+    const double true_over_soft =
+        std::pow(b.settings().body.youngs_modulus / iron::youngs_modulus, 2.0 / 3.0);
+    const scene heated{conduction{closure::zhang::constriction{}, materials},
+                       film_conduction{closure::gas_film{}, true_over_soft},
+                       hearth::radiation{closure::feng_han::monte_carlo_fit{made.solid}, p,
+                                         closure::wall_view::closed(made.solid)}};
+    auto links = heated.links(warm, warm, gas);
+    b.for_each_near_wall(1.0, [&](dem::index i, int w, double distance) {  // films at walls, which the term leaves out
+        const double r = b.spheres()[i].radius, gap = distance - r;
+        const double film = closure::gas_film::wall_conductance(closure::film_pair<double>{
+            gap < 0 ? gap * true_over_soft : gap, r, r, iron::conductivity, iron::conductivity,
+            iron::gas_conductivity(kelvin), 1 - made.solid});
+        if (film > 0) links.walls.push_back({i, b.wall_at(w).patch, {film, 0.0}});
+    });
+    dem::scale_parcels(links, made.parcel_factor);
+    if (paths == heat_paths::radiation) {
+        for (auto& pair : links.pairs) pair.link.conductance = 0;
+        for (auto& w : links.walls) w.link.conductance = 0;
+    }
+    // The tube is insulated.
+    links.walls.erase(std::remove_if(links.walls.begin(), links.walls.end(), [](const auto& w) { return w.patch == 1; }),
+                      links.walls.end());
+
+    const auto n = static_cast<std::size_t>(b.size());
+    std::vector<double> mass(n), temperature(n);
+    std::vector<heat_bath<double>> baths(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        mass[i] = b.mass(static_cast<dem::index>(i));
+        temperature[i] = kelvin + 10 - 20 * b.spheres()[i].centre.z / made.height;
+    }
+    for (const auto& w : links.walls)
+        baths[static_cast<std::size_t>(w.particle)].add(w.link, b.patch_temperature(w.patch));
+    const constant_specific_heat<> cp{500};
+    thermal_network network;
+    std::vector<particle_step<double>> taken;
+    for (int pass = 0; pass < 3; ++pass) {
+        network.advance(links.pairs, baths, mass, [&](std::size_t) -> const constant_specific_heat<>& { return cp; },
+                        tssm(1.0), 1e8, temperature, taken);
+    }
+
+    conductivity_parts found;
+    double through = 0;
+    for (const auto& w : links.walls) {
+        if (w.patch == 0) through += w.link.heat(temperature[static_cast<std::size_t>(w.particle)], kelvin + 10);
+    }
+    const double area = constants<double>::pi() * std::pow(made.core.radius + 2.5 * k * iron::diameter, 2);
+    found.between_plates = through * made.height / (20 * area);
+
+    double sz = 0, st = 0, szz = 0, szt = 0, count = 0;
+    const auto inside = [&](std::int32_t i) {
+        const dem::vector3 x = b.spheres()[i].centre - made.core.base;
+        return std::hypot(x.x, x.y) < made.core.radius && x.z > 0 && x.z < made.core.height ? 1.0 : 0.0;
+    };
+    for (std::int32_t i = 0; i < b.size(); ++i) {
+        const double z = b.spheres()[i].centre.z, t = temperature[static_cast<std::size_t>(i)];
+        if (inside(i) > 0) sz += z, st += t, szz += z * z, szt += z * t, count += 1;
+    }
+    const double gradient = (count * szt - sz * st) / (count * szz - sz * sz);
+    // Of what the spheres of the core fill: how many centres the core's border cuts off does not matter then.
+    const double volume = count * constants<double>::pi() / 6 * std::pow(k * iron::diameter, 3) / made.solid;
+    std::size_t at = 0;
+    double* const part_of[] = {&found.contact, &found.film, &found.radiation};
+    for (const link_part& part : links.parts) {
+        for (; at < part.pairs; ++at) {
+            const auto& pair = links.pairs[at];
+            const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
+            const double way = b.spheres()[i].centre.z - b.spheres()[j].centre.z;
+            const double heat = pair.link.heat(temperature[i], temperature[j]);  // into i
+            *part_of[part.term] += 0.5 * (inside(pair.first) + inside(pair.second)) * heat * way / (-volume * gradient);
+        }
+    }
+    return found;
+}
+
+}  // namespace hearth_test
