@@ -10,6 +10,7 @@
 
 #include <hearth/core/agree.hpp>
 #include <hearth/core/assert.hpp>
+#include <hearth/core/cell_bins.hpp>
 #include <hearth/core/cell_graph.hpp>
 #include <hearth/core/cell_locator.hpp>
 #include <hearth/core/communicator.hpp>

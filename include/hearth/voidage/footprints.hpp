@@ -76,6 +76,11 @@ class footprints {
     const entry* end(std::size_t k) const { return entries_.data() + rows_[k + 1]; }
     std::size_t entry_count() const { return entries_.size(); }
     double scale(std::size_t k) const { return scales_[k]; }
+    /// What this rank holds [bytes].
+    std::size_t memory() const {
+        return visitors_.memory() + rows_.capacity() * sizeof(rows_[0]) + entries_.capacity() * sizeof(entry) +
+               (scales_.capacity() + owner_scales_.capacity()) * sizeof(double);
+    }
 
     /// Adds what each visitor has (one value for each) to the owned cells, in the order of the visitors' ids.
     void scatter(const std::vector<double>& at_visitors, double* cells) const {

@@ -72,6 +72,11 @@ class kernel_smoother {
     double tolerance() const { return settings_.tolerance; }
     int terms() const { return static_cast<int>(series_.terms()); }
     const cell_graph<Communicator>& graph() const { return *graph_; }
+    /// What this rank holds, the graph aside [bytes].
+    std::size_t memory() const {
+        return (work_[0].capacity() + work_[1].capacity() + series_.terms()) * sizeof(double) +
+               border_.capacity() * sizeof(index);
+    }
 
     /// Smooths a field of values per volume (a fraction, a density) in place.
     /// Errors: bad_value for values that are not finite, stale_graph; the field is then as it was.

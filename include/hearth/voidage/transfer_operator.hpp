@@ -108,6 +108,11 @@ class transfer_operator {
     /// How often distribute() has made a map; 0: never.
     std::uint64_t revision() const { return revision_; }
     const locator_type& locator() const { return *locator_; }
+    /// What this rank holds, graph and locator aside [bytes].
+    std::size_t memory() const {
+        return cells_.capacity() * sizeof(double) + cap_.memory() + cap_.log_memory() +
+               (smoother_ ? smoother_->memory() : 0) + (footprints_ ? footprints_->memory() : 0);
+    }
 
     /// The shares of one particle, by its id: the cells of this rank that get any, and what each gets of 1.  Called on
     /// all ranks.  As dear as scatter.

@@ -74,6 +74,14 @@ class visitors {
     /// An owned particle, in the host's order.
     const visitor& owned(std::size_t particle) const { return owned_[particle]; }
 
+    /// What this rank holds [bytes].
+    std::size_t memory() const {
+        std::size_t sum = (owned_.capacity() + all_.capacity()) * sizeof(visitor) +
+                          order_.capacity() * sizeof(order_[0]) + received_.capacity() * sizeof(received_[0]);
+        for (const auto& to : sent_) sum += sizeof(to) + to.values.capacity() * sizeof(to.values[0]);
+        return sum;
+    }
+
     /// Brings a value of each owned particle to its visitors: the k-th result belongs to the k-th visitor.
     template <class Value>
     std::vector<Value> bring(const std::vector<Value>& at_owner) const {
