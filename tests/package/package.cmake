@@ -54,6 +54,9 @@ elseif(case STREQUAL found)
     if(mpi)
         use(consumer -D how=find_package -D components=mpi)
     endif()
+    if(furnace)
+        use(my_furnace)
+    endif()
     # An optional component that is not there is no error.
     execute_process(COMMAND ${configure} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${scratch}/optional
         -D how=find_package -D optional=mpi -D CMAKE_PREFIX_PATH=${prefix}-without-mpi COMMAND_ERROR_IS_FATAL ANY)
