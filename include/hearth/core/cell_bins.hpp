@@ -25,8 +25,8 @@ inline point seen_from(const point& x, const point& centre, const point& shift) 
     return {(centre[0] + shift[0]) - x[0], (centre[1] + shift[1]) - x[1], (centre[2] + shift[2]) - x[2]};
 }
 
-/// Cells sorted by size into levels, powers of two of their longest side, and each level into bins of that side, so that
-/// a mesh with tiny and huge cells needs few visits at either end.  About 60 bytes a cell.
+/// Cells sorted by size into levels, powers of two of their longest side, and each level into bins of that side, so
+/// that a mesh with tiny and huge cells needs few visits at either end.  About 60 bytes a cell.
 class cell_bins {
   public:
     cell_bins() = default;
@@ -35,9 +35,8 @@ class cell_bins {
         const auto size_class = [](const placed_cell& p) {
             return std::ilogb(std::max({p.extent[0], p.extent[1], p.extent[2]}));
         };
-        std::stable_sort(cells.begin(), cells.end(), [&](const placed_cell& a, const placed_cell& b) {
-            return size_class(a) < size_class(b);
-        });
+        std::stable_sort(cells.begin(), cells.end(),
+                         [&](const placed_cell& a, const placed_cell& b) { return size_class(a) < size_class(b); });
         for (auto begin = cells.begin(), end = begin; begin != cells.end(); begin = end) {
             end = std::find_if(begin, cells.end(),
                                [&](const placed_cell& p) { return size_class(p) != size_class(*begin); });
@@ -64,7 +63,8 @@ class cell_bins {
     class level {
       public:
         template <class Iterator>
-        level(Iterator begin, Iterator end) : low_(begin->centre), high_(begin->centre), cells_(static_cast<std::size_t>(end - begin)) {
+        level(Iterator begin, Iterator end)
+            : low_(begin->centre), high_(begin->centre), cells_(static_cast<std::size_t>(end - begin)) {
             for (auto p = begin; p != end; ++p) {
                 for (std::size_t a = 0; a < 3; ++a) {
                     low_[a] = std::min(low_[a], p->centre[a]);

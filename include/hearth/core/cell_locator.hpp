@@ -167,7 +167,8 @@ class cell_locator {
                     const point centre{shape.origin[0] + (i + 0.5) * shape.spacing[0],
                                        shape.origin[1] + (j + 0.5) * shape.spacing[1],
                                        shape.origin[2] + (k + 0.5) * shape.spacing[2]};
-                    visit(i + shape.cells[0] * (j + shape.cells[1] * k), detail::seen_from(x, centre, shift), shape.spacing);
+                    visit(i + shape.cells[0] * (j + shape.cells[1] * k), detail::seen_from(x, centre, shift),
+                          shape.spacing);
                 }
             }
         }

@@ -166,7 +166,8 @@ class transfer_operator {
             std::optional<bad_value> wrong;
             for (std::int32_t c = 0; c < graph().cell_count(); ++c) {
                 const double value = cells_[static_cast<std::size_t>(c)] = component(element(cells, c), a);
-                if (!std::isfinite(value) && !wrong) wrong.emplace("value of cell", graph().global_index(c), value, "finite");
+                if (!std::isfinite(value) && !wrong)
+                    wrong.emplace("value of cell", graph().global_index(c), value, "finite");
             }
             throw_agreed(graph().communicator(), wrong);
             cap_.gather(cells_);

@@ -111,7 +111,8 @@ class smoothing_wave {
             for (index ghost = mesh_.owned(); ghost < mesh_.graph().total_count(); ++ghost) {
                 if (shares_[static_cast<std::size_t>(ghost)].amount > 0) givers_.push_back(ghost);
             }
-            std::sort(givers_.begin(), givers_.end(), [&](index a, index b) { return mesh_.place(a) < mesh_.place(b); });
+            std::sort(givers_.begin(), givers_.end(),
+                      [&](index a, index b) { return mesh_.place(a) < mesh_.place(b); });
             for (const index cell : givers_) {
                 find_receivers(cell, cells);
                 give(cell, shares_[static_cast<std::size_t>(cell)], threshold, cells, log, read);
@@ -166,7 +167,8 @@ class smoothing_wave {
         const double product = excess.sum * volume;
         const double product_rest = std::fma(excess.sum, volume, -product) + excess.error * volume;
         const double amount = product / receiver_volume_;
-        const double rest = std::fma(-amount, receiver_volume_, product) + product_rest - amount * receiver_volume_rest_;
+        const double rest =
+            std::fma(-amount, receiver_volume_, product) + product_rest - amount * receiver_volume_rest_;
         return {amount, static_cast<float>(rest / receiver_volume_)};
     }
 
