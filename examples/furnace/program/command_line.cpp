@@ -22,7 +22,7 @@ Results:
   profiles.csv, one_dimensional.csv         over the height: this run, and the one-dimensional solution of the scene
   history.csv                               what the progress line showed, coupling by coupling
   furnace.png                               pictures, if python3-matplotlib is there; python3 picture.py draws them again
-  particles_*.vtkhdf, cells_*.vtkhdf        the time series, for ParaView 5.10 and later
+  particles_*.hdf, cells_*.hdf        the time series, for ParaView 5.11 and later
   scene.toml                                the scene as it ran, every key with its value
   checkpoint_*.h5                           the last two checkpoints
 

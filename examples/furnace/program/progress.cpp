@@ -39,11 +39,11 @@ void progress::show(const status& now) {
     if (share_at_begin_ < 0) share_at_begin_ = now.share_of_run;
     const bool due = terminal_ ? seconds(time - last_) > 0.2
                                : now.share_of_run >= share_at_last_ + 0.1 || seconds(time - last_) > 30;
-    if (!due && now.share_of_run < 1) return;
+    if (!due && now.now != phase::report) return;
     last_ = time;
     share_at_last_ = now.share_of_run;
     const double done = now.share_of_run - share_at_begin_;
-    const double left = done > 0.01 ? seconds(time - begin_) * (1 - now.share_of_run) / done : -1;
+    const double left = done > 0.01 && now.share_of_run < 1 ? seconds(time - begin_) * (1 - now.share_of_run) / done : -1;
     std::string line = progress_line(now, left);
     if (!terminal_) {
         std::fprintf(out_, "%s\n", line.c_str());

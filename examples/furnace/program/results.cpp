@@ -132,7 +132,7 @@ void results::frame(int count, const furnace& shaft) const {
     const snapshot seen = shaft.look();
     const auto path = [&](const char* stem) {
         char name[40];
-        std::snprintf(name, sizeof name, "%s_%04d.vtkhdf", stem, count);
+        std::snprintf(name, sizeof name, "%s_%04d.hdf", stem, count);
         return (folder_ / name).string();
     };
     io::vtkhdf_file particles(path("particles"), io::vertices(flat(seen.particle_position)), seen.process_time);

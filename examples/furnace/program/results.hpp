@@ -23,7 +23,7 @@ class results {
     /// Makes the folder.
     explicit results(std::filesystem::path folder);
 
-    /// cells_NNNN.vtkhdf and particles_NNNN.vtkhdf for ParaView.
+    /// cells_NNNN.hdf and particles_NNNN.hdf for ParaView.
     void frame(int number, const furnace& shaft) const;
     /// scene.toml: the scene as it ran, every key with its value.
     void scene(const settings& s) const;

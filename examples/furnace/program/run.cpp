@@ -74,7 +74,7 @@ class session {
   private:
     void step(furnace& shaft) {
         const int before = shaft.steps_done();
-        if (before == 0 && shaft.current() != phase::fill && watched_.rows.empty()) frame(shaft, 0);
+        if (shaft.current() == phase::couple && before == 0) frame(shaft, 0);
         shaft.step();
         if (shaft.steps_done() == before) return;
         watched_.add(shaft.now());

@@ -22,7 +22,8 @@ struct grid_piece {
 grid_piece vertices(std::vector<double> points);
 
 /// A picture for ParaView (VTKHDF 1.0, read by ParaView 5.10 and later): a grid and fields on its cells and points.
-/// Ranks write their pieces together; a rank may have none.  Number the files of a series: name_0000.vtkhdf, ...
+/// Ranks write their pieces together; a rank may have none.  Number the files of a series: name_0000.hdf, ...; ParaView 5.11
+/// knows no other ending.
 class vtkhdf_file {
   public:
     /// time: process time that the picture shows [s], kept as field data "TimeValue".
