@@ -57,7 +57,8 @@ struct plate_bed {
     double solid = 0;   ///< fraction of the core [-]
 
     plate_bed(int factor, double radius, double column, double friction, double gravity = 9.81)
-        : spheres(settings(factor, friction, gravity)), parcel_factor(factor) {
+        : plate_bed(factor, radius, column, settings(factor, friction, gravity)) {}
+    plate_bed(int factor, double radius, double column, const bed_settings& s) : spheres(s), parcel_factor(factor) {
         const double d = factor * iron::diameter;
         bed_settings smooth = spheres.settings();
         smooth.contact.friction = 0;
@@ -102,16 +103,11 @@ struct conductivity_parts {
 
 enum class heat_paths { all, radiation };
 
-/// Plates at 10 K above and below a temperature, steady: one step of the implicit network, longer than any time of the bed.
-/// The conductivity is the mean flux in the core, sum of heat times way over volume, over the mean gradient there.
-inline conductivity_parts conductivity_between_plates(plate_bed& made, double kelvin, double emissivity, double cutoff = 2.5,
-                                                    heat_paths paths = heat_paths::all) {
+/// Contacts, films and radiation between particles and to the plates, for gas at `kelvin`; the tube is insulated.
+inline auto heat_links(plate_bed& made, double kelvin, double emissivity, double cutoff, heat_paths paths) {
     using namespace hearth;
     namespace dem = hearth::dem;
     bed& b = made.spheres;
-    b.set_patch_temperature(0, kelvin + 10);
-    b.set_patch_temperature(2, kelvin - 10);
-    const double k = made.parcel_factor;
     dem::thermal_bed warm(b, {500, iron::conductivity, emissivity}, made.parcel_factor);
     gas_samples gas(static_cast<std::size_t>(b.size()));
     std::fill(gas.conductivity.begin(), gas.conductivity.end(), iron::gas_conductivity(kelvin));
@@ -125,12 +121,11 @@ inline conductivity_parts conductivity_between_plates(plate_bed& made, double ke
     p.emissivity = emissivity;
     p.cutoff = cutoff;
     p.open_from = 1;  // closed by plates
-    const double true_over_soft =
-        std::pow(b.settings().body.youngs_modulus / iron::youngs_modulus, 2.0 / 3.0);
+    const double fitted = std::clamp(made.solid, 0.57, 0.64);
+    const double true_over_soft = std::pow(b.settings().body.youngs_modulus / iron::youngs_modulus, 2.0 / 3.0);
     const scene heated{conduction{closure::zhang::constriction{}, materials},
                        film_conduction{closure::gas_film{}, true_over_soft},
-                       hearth::radiation{closure::feng_han::monte_carlo_fit{made.solid}, p,
-                                         closure::wall_view::closed(made.solid)}};
+                       hearth::radiation{closure::feng_han::monte_carlo_fit{fitted}, p, closure::wall_view::closed(fitted)}};
     auto links = heated.links(warm, warm, gas);
     b.for_each_near_wall(1.0, [&](dem::index i, int w, double distance) {  // films at walls, which the term leaves out
         const double r = b.spheres()[i].radius, gap = distance - r;
@@ -144,38 +139,50 @@ inline conductivity_parts conductivity_between_plates(plate_bed& made, double ke
         for (auto& pair : links.pairs) pair.link.conductance = 0;
         for (auto& w : links.walls) w.link.conductance = 0;
     }
-    // The tube is insulated.
     links.walls.erase(std::remove_if(links.walls.begin(), links.walls.end(), [](const auto& w) { return w.patch == 1; }),
                       links.walls.end());
+    return links;
+}
 
-    const auto n = static_cast<std::size_t>(b.size());
-    std::vector<double> mass(n), temperature(n);
-    std::vector<heat_bath<double>> baths(n);
-    for (std::size_t i = 0; i < n; ++i) {
-        mass[i] = b.mass(static_cast<dem::index>(i));
-        temperature[i] = kelvin + 10 - 20 * b.spheres()[i].centre.z / made.height;
-    }
+/// Advances the temperatures of the bed with its plates as they are.
+template <class Links>
+void heat(const plate_bed& made, const Links& links, double seconds, std::vector<double>& temperature) {
+    const auto n = static_cast<std::size_t>(made.spheres.size());
+    std::vector<double> mass(n);
+    std::vector<hearth::heat_bath<double>> baths(n);
+    for (std::size_t i = 0; i < n; ++i) mass[i] = made.spheres.mass(static_cast<hearth::dem::index>(i));
     for (const auto& w : links.walls)
-        baths[static_cast<std::size_t>(w.particle)].add(w.link, b.patch_temperature(w.patch));
-    const constant_specific_heat<> cp{500};
-    thermal_network network;
-    std::vector<particle_step<double>> taken;
-    for (int pass = 0; pass < 3; ++pass) {
-        network.advance(links.pairs, baths, mass, [&](std::size_t) -> const constant_specific_heat<>& { return cp; },
-                        tssm(1.0), 1e8, temperature, taken);
-    }
+        baths[static_cast<std::size_t>(w.particle)].add(w.link, made.spheres.patch_temperature(w.patch));
+    const hearth::constant_specific_heat<> cp{500};
+    hearth::thermal_network network;
+    std::vector<hearth::particle_step<double>> taken;
+    network.advance(links.pairs, baths, mass, [&](std::size_t) -> const hearth::constant_specific_heat<>& { return cp; },
+                    hearth::tssm(1.0), seconds, temperature, taken);
+}
 
+/// Plates at 10 K above and below a temperature, steady: steps of the implicit network that are longer than any time of the
+/// bed.  The conductivity is the mean flux in the core, sum of heat times way over volume, over the mean gradient there.
+inline conductivity_parts conductivity_between_plates(plate_bed& made, double kelvin, double emissivity, double cutoff = 2.5,
+                                                      heat_paths paths = heat_paths::all) {
+    bed& b = made.spheres;
+    b.set_patch_temperature(0, kelvin + 10);
+    b.set_patch_temperature(2, kelvin - 10);
+    const auto links = heat_links(made, kelvin, emissivity, cutoff, paths);
+    std::vector<double> temperature;
+    for (hearth::dem::index i = 0; i < b.size(); ++i)
+        temperature.push_back(kelvin + 10 - 20 * b.spheres()[i].centre.z / made.height);
+    for (int pass = 0; pass < 3; ++pass) heat(made, links, 1e8, temperature);
+
+    const double pi = hearth::constants<double>::pi(), d = made.parcel_factor * iron::diameter;
     conductivity_parts found;
-    double through = 0;
     for (const auto& w : links.walls) {
-        if (w.patch == 0) through += w.link.heat(temperature[static_cast<std::size_t>(w.particle)], kelvin + 10);
+        if (w.patch != 0) continue;
+        found.between_plates += w.link.heat(temperature[static_cast<std::size_t>(w.particle)], kelvin + 10) * made.height /
+                                (20 * pi * std::pow(made.core.radius + 2.5 * d, 2));
     }
-    const double area = constants<double>::pi() * std::pow(made.core.radius + 2.5 * k * iron::diameter, 2);
-    found.between_plates = through * made.height / (20 * area);
-
     double sz = 0, st = 0, szz = 0, szt = 0, count = 0;
     const auto inside = [&](std::int32_t i) {
-        const dem::vector3 x = b.spheres()[i].centre - made.core.base;
+        const vector3 x = b.spheres()[i].centre - made.core.base;
         return std::hypot(x.x, x.y) < made.core.radius && x.z > 0 && x.z < made.core.height ? 1.0 : 0.0;
     };
     for (std::int32_t i = 0; i < b.size(); ++i) {
@@ -184,16 +191,16 @@ inline conductivity_parts conductivity_between_plates(plate_bed& made, double ke
     }
     const double gradient = (count * szt - sz * st) / (count * szz - sz * sz);
     // Of what the spheres of the core fill: how many centres the core's border cuts off does not matter then.
-    const double volume = count * constants<double>::pi() / 6 * std::pow(k * iron::diameter, 3) / made.solid;
+    const double volume = count * pi / 6 * d * d * d / made.solid;
     std::size_t at = 0;
     double* const part_of[] = {&found.contact, &found.film, &found.radiation};
-    for (const link_part& part : links.parts) {
+    for (const hearth::link_part& part : links.parts) {
         for (; at < part.pairs; ++at) {
             const auto& pair = links.pairs[at];
             const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
             const double way = b.spheres()[i].centre.z - b.spheres()[j].centre.z;
-            const double heat = pair.link.heat(temperature[i], temperature[j]);  // into i
-            *part_of[part.term] += 0.5 * (inside(pair.first) + inside(pair.second)) * heat * way / (-volume * gradient);
+            const double into_i = pair.link.heat(temperature[i], temperature[j]);
+            *part_of[part.term] += 0.5 * (inside(pair.first) + inside(pair.second)) * into_i * way / (-volume * gradient);
         }
     }
     return found;

@@ -191,6 +191,15 @@ void bed::set_velocity(index i, const vector3& velocity, const vector3& spin) {
     m.spin = spin;
 }
 
+void bed::set_mass(index i, double kg) {
+    HEARTH_ASSERT(i >= 0 && i < size());
+    check(kg > 0 && std::isfinite(kg), "mass of particle", kg, "finite and > 0 [kg]", i);
+    const double radius = spheres()[i].radius;
+    motion& m = self_->particles.motions[static_cast<std::size_t>(i)];
+    m.inverse_mass = std::copysign(1 / kg, m.inverse_mass);
+    m.inverse_inertia = 1 / (0.4 * kg * radius * radius);
+}
+
 void bed::set_driven(index i, bool driven) {
     HEARTH_ASSERT(i >= 0 && i < size());
     double& inverse_mass = self_->particles.motions[static_cast<std::size_t>(i)].inverse_mass;

@@ -86,6 +86,8 @@ class bed {
     const double* temperatures() const;
 
     void set_velocity(index i, const vector3& velocity, const vector3& spin);
+    /// Of a particle that dries or takes something up; its radius stays, and its velocity.  Throws bad_value.
+    void set_mass(index i, double kg);
     /// A driven particle keeps its velocity whatever pushes it.
     void set_driven(index i, bool driven);
     /// Force from outside, e.g. of the gas [N]; kept until it is set again.
