@@ -11,7 +11,7 @@
 
 #include "provenance.hpp"
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,4 +109,4 @@ saved_state read_checkpoint(const fs::path& place, const settings& scene, std::s
     return read_file(found.back().second, scene);
 }
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program

@@ -7,7 +7,7 @@
 #include <hearth/furnace/settings.hpp>
 #include <hearth/furnace/snapshot.hpp>
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 
 /// The checkpoints of a run: checkpoint_0001.h5, checkpoint_0002.h5, ... in one folder, of which the last two are kept.
 ///
@@ -29,4 +29,4 @@ class checkpoints {
 /// bad_scene for one of another scene, with the keys that differ.
 saved_state read_checkpoint(const std::filesystem::path& file_or_folder, const settings& scene, std::string& remark);
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program

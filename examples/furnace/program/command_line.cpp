@@ -7,7 +7,7 @@
 
 #include "provenance.hpp"
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 namespace {
 
 const char* const lesson = R"(
@@ -61,4 +61,4 @@ command_or_exit read_command_line(int count, char** arguments) {
     return {command, 0};
 }
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program

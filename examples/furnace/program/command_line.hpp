@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 
 /// How the program ends; `furnace --help` lists them.
 namespace exit_code {
@@ -30,4 +30,4 @@ struct command_or_exit {
 };
 command_or_exit read_command_line(int count, char** arguments);
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program

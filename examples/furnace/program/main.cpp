@@ -11,7 +11,7 @@
 #include "run.hpp"
 
 int main(int count, char** arguments) {
-    using namespace hearth::furnace;
+    using namespace hearth::furnace::program;
     const command_or_exit given = read_command_line(count, arguments);
     if (!given.command) return given.exit;
 
@@ -20,9 +20,9 @@ int main(int count, char** arguments) {
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     try {
-        if (ranks > 1) throw bad_scene(std::to_string(ranks) + " ranks: the furnace runs on one");
+        if (ranks > 1) throw hearth::furnace::bad_scene(std::to_string(ranks) + " ranks: the furnace runs on one");
         code = run(*given.command);
-    } catch (const bad_scene& error) {
+    } catch (const hearth::furnace::bad_scene& error) {
         if (rank == 0) std::fprintf(stderr, "furnace: %s\n", error.what());
         code = exit_code::bad_input;
     } catch (const hearth::io::file_error& error) {

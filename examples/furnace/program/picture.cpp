@@ -17,7 +17,7 @@
 
 extern char** environ;
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 namespace {
 
 std::string short_number(double value) {
@@ -126,4 +126,4 @@ bool draw(const std::string& folder, std::string& reason) {
     return drawn;
 }
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program

@@ -5,7 +5,7 @@
 
 #include <hearth/furnace/furnace.hpp>
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 
 /// What the pictures show, as JSON: the cells and particles that the plane y = 0 and the plane of the hottest particles cut,
 /// in the shape of the cut.
@@ -17,4 +17,4 @@ std::string picture_script();
 /// Draws the pictures of a folder of results; false, with the reason, where Python or matplotlib is not there.
 bool draw(const std::string& folder, std::string& reason);
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program

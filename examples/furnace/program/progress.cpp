@@ -9,7 +9,7 @@
 
 #include "report.hpp"
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 
 progress::progress(std::FILE* out, bool quiet) : out_(out), quiet_(quiet), terminal_(isatty(fileno(out)) == 1) {}
 
@@ -69,4 +69,4 @@ void progress::end() {
     open_ = false;
 }
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program

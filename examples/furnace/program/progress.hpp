@@ -7,7 +7,7 @@
 
 #include <hearth/furnace/furnace.hpp>
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 
 /// The line that a person watches: phase, share done, time left, and the numbers that tell how it goes.  On a terminal it
 /// stays in its place; elsewhere, in a log, there is a new one every tenth of the run and every half minute.
@@ -33,4 +33,4 @@ class progress {
 /// The progress line itself; `left` is the time that is left [s], negative where it is not known yet.
 std::string progress_line(const status& now, double left);
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program

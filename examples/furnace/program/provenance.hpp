@@ -7,7 +7,7 @@
 
 #include <hearth/version.hpp>
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 
 inline std::string version() {
     return std::to_string(HEARTH_VERSION_MAJOR) + '.' + std::to_string(HEARTH_VERSION_MINOR) + '.' + std::to_string(HEARTH_VERSION_PATCH);
@@ -19,4 +19,4 @@ inline std::string hexadecimal(std::uint64_t value) {
     return text;
 }
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program

@@ -5,7 +5,7 @@
 #include <cstdarg>
 #include <cstdio>
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 namespace {
 
 __attribute__((format(printf, 1, 2))) std::string print(const char* format, ...) {
@@ -111,4 +111,4 @@ std::string comparison(const settings& scene, const summary& s) {
     return out;
 }
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program

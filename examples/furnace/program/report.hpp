@@ -5,7 +5,7 @@
 
 #include <hearth/furnace/furnace.hpp>
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 
 /// What a scene will build, what it leaves out, and what that takes: the answer of --dry-run.
 std::string expectation(const settings& scene, const plan& planned);
@@ -16,4 +16,4 @@ std::string comparison(const settings& scene, const summary& s);
 /// "1 h 05 min", "2 min 10 s", "8 s".
 std::string duration(double seconds);
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program

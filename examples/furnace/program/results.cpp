@@ -15,7 +15,7 @@
 #include "picture.hpp"
 #include "provenance.hpp"
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 namespace {
 
 namespace fs = std::filesystem;
@@ -259,4 +259,4 @@ std::uint64_t answer_hash(const snapshot& seen) {
     return value;
 }
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program

@@ -7,7 +7,7 @@
 
 #include <hearth/furnace/furnace.hpp>
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 
 /// Numbers that were watched, coupling by coupling: history.csv.
 struct history {
@@ -44,4 +44,4 @@ std::string json(const furnace& shaft, const summary& s, const plan& planned);
 /// FNV-1a of all that a furnace shows of itself: two runs with the same answer, bit for bit, have the same.
 std::uint64_t answer_hash(const snapshot& seen);
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program

@@ -17,7 +17,7 @@
 #include "report.hpp"
 #include "results.hpp"
 
-namespace hearth::furnace {
+namespace hearth::furnace::program {
 namespace {
 
 volatile std::sig_atomic_t stop_signal = 0;
@@ -160,4 +160,4 @@ class session {
 
 int run(const command_line& command) { return session(command).run(); }
 
-}  // namespace hearth::furnace
+}  // namespace hearth::furnace::program
