@@ -6,10 +6,12 @@
 #include <numeric>
 #include <sstream>
 
+#include <hearth/core/agree.hpp>
 #include <hearth/core/assert.hpp>
 #include <hearth/core/constants.hpp>
 #include <hearth/core/error.hpp>
 
+#include "archive.hpp"
 #include "check.hpp"
 #include "implementation.hpp"
 
@@ -18,19 +20,39 @@ namespace {
 
 using detail::check;
 
+/// Refuses particles that differ from rank to rank.
+void require_same(const ranks& among, const std::vector<particle>& added) {
+    if (among.size() == 1) return;
+    detail::writer archive;
+    for (const particle& p : added) archive(p);
+    const auto sum = static_cast<std::int64_t>(detail::checksum(archive.out.data(), archive.out.size()) >> 1);
+    check(among.max(sum) == -among.max(-sum), "number of particles to insert", static_cast<double>(added.size()),
+          "the same particles on every rank");
+}
+
 double sphere_volume(double radius) { return 4.0 / 3.0 * constants<double>::pi() * radius * radius * radius; }
 
 }  // namespace
 
-bed::bed(const bed_settings& settings) : self_(std::make_unique<implementation>()) {
+bed::implementation::implementation(const bed_settings& s, const decomposition& spread)
+    : settings(s),
+      among(spread.among),
+      shared(among->size() > 1),
+      near_factor(spread.near_factor),
+      slabs(spread),
+      ghosts(spread),
+      law(contact_law::between_particles(s.body, s.contact)),
+      rolling(s.contact.rolling_friction > 0) {}
+
+bed::bed(const bed_settings& settings, const decomposition& spread) {
     check(settings.step > 0 && std::isfinite(settings.step), "step", settings.step, "finite and > 0 [s]");
     check(is_finite(settings.gravity), "gravity", norm(settings.gravity), "finite [m/s^2]");
     check(settings.skin > 0 && std::isfinite(settings.skin), "skin", settings.skin, "finite and > 0 [-]");
     check(settings.deepest_overlap > 0 && settings.deepest_overlap < 1, "deepest_overlap", settings.deepest_overlap,
           "in (0, 1) [-]");
-    self_->law = contact_law::between_particles(settings.body, settings.contact);
-    self_->settings = settings;
-    self_->rolling = settings.contact.rolling_friction > 0;
+    check(spread.near_factor >= 0 && std::isfinite(spread.near_factor), "near_factor", spread.near_factor,
+          "finite and >= 0 [-]");
+    self_ = std::make_unique<implementation>(settings, spread);
 }
 bed::~bed() = default;
 bed::bed(bed&&) noexcept = default;
@@ -82,7 +104,12 @@ double bed::patch_temperature(int patch) const {
 }
 const wall& bed::wall_at(int n) const { return self_->walls.at(static_cast<std::size_t>(n)).body; }
 int bed::wall_count() const { return static_cast<int>(self_->walls.size()); }
-vector3 bed::force_on_wall(int n) const { return self_->walls.at(static_cast<std::size_t>(n)).reaction; }
+vector3 bed::force_on_wall(int n) const {
+    vector3 sum;
+    for (const vector3& part : self_->among->gather(std::vector<vector3>{self_->walls.at(static_cast<std::size_t>(n)).reaction}))
+        sum += part;
+    return sum;
+}
 const contact_law& bed::wall_law(int n) const { return self_->walls.at(static_cast<std::size_t>(n)).law; }
 const contact_law& bed::law() const { return self_->law; }
 
@@ -99,31 +126,33 @@ std::int64_t bed::insert(const std::vector<particle>& added) {
               "finite and > 0 [K]", at);
     }
     implementation& self = *self_;
+    require_same(*self.among, added);
     const std::int64_t first = self.next_id;
     if (added.empty()) return first;
     detail::store& all = self.particles;
-    const std::size_t before = all.owned;
-    all.resize(before + added.size());
-    all.owned = all.total();
+    detail::history past = self.remember();
+    all.drop_ghosts();
     for (std::size_t k = 0; k < added.size(); ++k) {
         const particle& p = added[k];
-        const std::size_t i = before + k;
+        if (self.shared && !self.slabs.is_mine(p.position)) continue;
+        const std::size_t i = all.owned++;
+        all.resize(all.owned);
         const double mass = p.density * sphere_volume(p.radius);
         all.spheres[i] = {p.position, p.radius};
         all.motions[i] = {p.velocity, 1 / mass, p.spin, 1 / (0.4 * mass * p.radius * p.radius)};
-        all.loads[i] = {};
         all.ids[i] = first + static_cast<std::int64_t>(k);
         all.temperatures[i] = p.temperature;
-        if (!all.outer_forces.empty()) all.outer_forces[i] = {};
+        past.append({}, {});
     }
-    self.rebuild();
+    self.rebuild(std::move(past), self.everyone());
+    self.find_deep(first);
     try {
-        self.refuse_deep(first);
+        self.raise_failure();
     } catch (const motion_error&) {
         std::vector<index> kept;
         for (std::size_t i = 0; i < all.owned; ++i)
             if (all.ids[i] < first) kept.push_back(static_cast<index>(i));
-        self.rebuild(kept);
+        self.rebuild(self.remember(), std::move(kept));
         throw;
     }
     self.next_id += static_cast<std::int64_t>(added.size());
@@ -134,36 +163,36 @@ std::int64_t bed::insert(const std::vector<particle>& added) {
 void bed::remove(const std::vector<index>& indices) {
     implementation& self = *self_;
     std::vector<char> gone(self.particles.owned, 0);
+    std::optional<bad_value> bad;
     for (const index i : indices) {
-        check(i >= 0 && i < size(), "index of particle to remove", i, "0 <= index < size()");
-        gone[static_cast<std::size_t>(i)] = 1;
+        if (i >= 0 && i < size()) gone[static_cast<std::size_t>(i)] = 1;
+        else bad = bad_value("index of particle to remove", bad_value::no_index, i, "0 <= index < size()");
     }
+    throw_agreed(*self.among, bad);
     std::vector<index> kept;
     for (index i = 0; i < size(); ++i)
         if (!gone[static_cast<std::size_t>(i)]) kept.push_back(i);
-    self.rebuild(kept);
+    self.rebuild(self.remember(), std::move(kept));
     self.loaded = false;
 }
 
 void bed::advance(int count) {
     check(count >= 0, "number of steps", count, ">= 0");
+    if (count == 0) return;
     implementation& self = *self_;
-    using kick = implementation::kick;
-    if (count > 0 && !self.loaded) {
-        if (!self.listed) self.rebuild();
+    if (!self.loaded) {
+        if (!self.listed) self.rebuild(self.remember(), self.everyone());
         self.clear_loads();
+        if (self.shared) {  // who knows what was set since
+            self.ghosts.begin_motion(self.particles);
+            self.ghosts.end_motion(self.particles);
+        }
         self.add_forces(0.0);
         self.loaded = true;
     }
-    for (int k = 0; k < count; ++k) {
-        if (k == 0) self.move<kick::first>();
-        else self.move<kick::between>();
-        self.move_walls();
-        self.refresh_lists();
-        self.add_forces(self.settings.step);
-        ++self.steps;
-    }
-    if (count > 0) self.move<kick::last>();
+    for (int k = 0; k < count; ++k) self.step_once(k == 0);
+    if (self.shared) self.raise_failure();
+    self.move<implementation::kick::last>();
 }
 
 double bed::time() const { return static_cast<double>(self_->steps) * self_->settings.step; }
@@ -172,6 +201,16 @@ const bed_settings& bed::settings() const { return self_->settings; }
 void bed::set_gravity(const vector3& gravity) {
     check(is_finite(gravity), "gravity", norm(gravity), "finite [m/s^2]");
     self_->settings.gravity = gravity;
+}
+
+ranks& bed::among() const { return *self_->among; }
+bool bed::is_shared() const { return self_->shared; }
+std::int64_t bed::size_over_ranks() const { return self_->everybody; }
+double bed::largest_radius() const { return self_->largest_radius; }
+index bed::ghost_count() const { return static_cast<index>(self_->particles.total() - self_->particles.owned); }
+int bed::ghost_owner(index i) const { return self_->ghosts.owners()[static_cast<std::size_t>(i - size())]; }
+void bed::update_ghosts() {
+    if (self_->shared) self_->ghosts.update(self_->particles);
 }
 
 index bed::size() const { return static_cast<index>(self_->particles.owned); }
@@ -210,7 +249,8 @@ void bed::set_outer_force(index i, const vector3& force) {
     HEARTH_ASSERT(i >= 0 && i < size());
     check(is_finite(force), "outer force on particle", norm(force), "finite [N]", i);
     auto& all = self_->particles;
-    if (all.outer_forces.empty()) all.outer_forces.resize(all.total());
+    if (!all.pushed) all.outer_forces.assign(all.total(), {});
+    all.pushed = true;
     const auto at = static_cast<std::size_t>(i);
     all.loads[at].force += force - all.outer_forces[at];
     all.outer_forces[at] = force;
@@ -221,7 +261,7 @@ std::int64_t bed::rebuilds() const { return self_->rebuilds; }
 void bed::expire_lists() { self_->listed = false; }
 
 std::size_t bed::memory() const {
-    std::size_t bytes = self_->particles.bytes() + self_->pairs.bytes() + self_->built.capacity() * sizeof(sphere);
+    std::size_t bytes = self_->particles.bytes() + self_->pairs.bytes() + self_->ghosts.bytes();
     for (const auto& w : self_->walls) {
         bytes += w.candidates.capacity() * sizeof(w.candidates[0]) +
                  (w.springs.capacity() + w.rolls.capacity()) * sizeof(vector3);
@@ -255,7 +295,7 @@ double bed::advised_step(double speed, double steps_per_contact) const {
             shortest = std::fmin(shortest, hertz_impact{radius, m, w.law.effective_modulus, speed}.duration());
         }
     }
-    return shortest / steps_per_contact;
+    return self_->among->min(shortest) / steps_per_contact;
 }
 
 }  // namespace hearth::dem

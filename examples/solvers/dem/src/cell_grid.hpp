@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
+#include <hearth/dem/facet.hpp>
 #include <hearth/dem/particles.hpp>
 
 #include "quantile.hpp"
@@ -19,23 +19,13 @@ namespace hearth::dem::detail {
 /// neighbouring cells: no particle can be lost, however far it flies.  A rank can look at a part of the cells.
 class cell_grid {
   public:
-    /// Cells at least `size` wide over the centres of all ranks; at most about as many cells as particles in a dense bed.
+    /// Cells at least `size` wide over the centres of all ranks, which lie within `extent`; at most about as many cells as
+    /// particles in a dense bed.
     template <class Centre>
-    cell_grid(std::size_t count, const Centre& centre, double size, const ranks& among) {
+    cell_grid(std::size_t count, const box3& extent, const Centre& centre, double size, const ranks& among)
+        : low_(extent.low), high_(extent.high) {
         const std::int64_t everybody = among.sum(static_cast<std::int64_t>(count));
         const double most = 4.0 * static_cast<double>(everybody) + 64;
-        if (everybody > 0) {
-            for (int a = 0; a < 3; ++a) {
-                low_[a] = std::numeric_limits<double>::max();
-                high_[a] = -low_[a];
-                for (std::size_t i = 0; i < count; ++i) {
-                    low_[a] = std::fmin(low_[a], centre(i)[a]);
-                    high_[a] = std::fmax(high_[a], centre(i)[a]);
-                }
-                low_[a] = among.min(low_[a]);
-                high_[a] = among.max(high_[a]);
-            }
-        }
         if (cells_of(size) > most) {
             // A few strays far away must not make the cells of all others huge: a thousandth at either end is left out.
             const std::int64_t few = everybody / 1000 + 1;
@@ -54,12 +44,12 @@ class cell_grid {
 
     /// The same over spheres of this rank alone.
     cell_grid(const sphere* spheres, std::size_t count, double size)
-        : cell_grid(count, [&](std::size_t i) -> const vector3& { return spheres[i].centre; }, size,
-                    *over(serial_communicator{})) {}
+        : cell_grid(count, extent_of(spheres, count), [&](std::size_t i) -> const vector3& { return spheres[i].centre; },
+                    size, *over(serial_communicator{})) {}
 
     /// From here on only the cells between two coordinates; those beyond belong to the cells at the border.
     void narrow(int axis, double low, double high) {
-        const index first = along(axis, low), last = along(axis, high);
+        const index first = along(axis, low), last = std::max(first, along(axis, high));
         first_[at(axis)] = first;
         n_[at(axis)] = last - first + 1;
     }
@@ -101,14 +91,25 @@ class cell_grid {
     static void sort_within_cells(const Id& id, std::vector<index>& order, const std::vector<index>& start) {
         for (std::size_t c = 0; c + 1 < start.size(); ++c) {
             if (start[c + 1] - start[c] < 2) continue;
-            std::sort(order.begin() + start[c], order.begin() + start[c + 1], [&](index a, index b) {
-                return id(static_cast<std::size_t>(a)) < id(static_cast<std::size_t>(b));
-            });
+            std::sort(order.begin() + start[c], order.begin() + start[c + 1],
+                      [&](index a, index b) { return id(a) < id(b); });
         }
     }
 
   private:
     static constexpr std::size_t at(int axis) { return static_cast<std::size_t>(axis); }
+
+    static box3 extent_of(const sphere* spheres, std::size_t count) {
+        if (count == 0) return {};
+        box3 box{spheres[0].centre, spheres[0].centre};
+        for (std::size_t i = 1; i < count; ++i) {
+            for (int a = 0; a < 3; ++a) {
+                box.low[a] = std::fmin(box.low[a], spheres[i].centre[a]);
+                box.high[a] = std::fmax(box.high[a], spheres[i].centre[a]);
+            }
+        }
+        return box;
+    }
 
     double cells_of(double size) const {
         double product = 1;

@@ -21,13 +21,14 @@ double cubed(double a) { return a * a * a; }
 class occupied_space {
   public:
     occupied_space(const bed& b, const zone& where, double largest_new) : where_(where) {
-        double largest = largest_new;
-        for (index i = 0; i < b.size(); ++i) largest = std::fmax(largest, 2 * b.spheres()[i].radius);
-        width_ = largest;
+        width_ = std::fmax(largest_new, 2 * b.largest_radius());
         n_[0] = n_[1] = static_cast<int>(2 * where.radius / width_) + 3;  // one more on each side
         n_[2] = static_cast<int>(where.height / width_) + 3;
         cells_.resize(static_cast<std::size_t>(n_[0]) * static_cast<std::size_t>(n_[1]) * static_cast<std::size_t>(n_[2]));
-        for (index i = 0; i < b.size(); ++i) add(b.spheres()[i]);
+        std::vector<sphere> there;
+        for (index i = 0; i < b.size(); ++i)
+            if (inside(cell(b.spheres()[i].centre))) there.push_back(b.spheres()[i]);
+        for (const sphere& s : b.among().gather(there)) add(s);
     }
 
     void add(const sphere& s) {
@@ -177,13 +178,13 @@ feed::report feed::insert(bed& b, bool regardless) {
 }
 
 double surface_level(const bed& b, const zone& where) {
-    double largest = 0;
-    for (index i = 0; i < b.size(); ++i) largest = std::fmax(largest, 2 * b.spheres()[i].radius);
+    const double largest = 2 * b.largest_radius();
     if (largest == 0) return where.base.z;
     const std::vector<int> counts = b.contact_counts();
     const int n = std::max(1, static_cast<int>(where.radius / largest));  // columns across
     const double width = 2 * where.radius / n;
-    std::vector<double> top(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), where.base.z);
+    const auto columns_of_square = static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+    std::vector<double> top(columns_of_square, where.base.z);
     for (index i = 0; i < b.size(); ++i) {
         const sphere& s = b.spheres()[i];
         const vector3 d = s.centre - where.base;
@@ -192,6 +193,11 @@ double surface_level(const bed& b, const zone& where) {
         const auto y = std::min(static_cast<int>((d.y + where.radius) / width), n - 1);
         double& highest = top[static_cast<std::size_t>(y * n + x)];
         highest = std::fmax(highest, s.centre.z + s.radius);
+    }
+    const std::vector<double> of_ranks = b.among().gather(top);
+    for (std::size_t k = 0; k < of_ranks.size(); ++k) {
+        double& highest = top[k % columns_of_square];
+        highest = std::fmax(highest, of_ranks[k]);
     }
     double sum = 0;
     int columns = 0;

@@ -97,9 +97,10 @@ std::ptrdiff_t pair_forces(const contact_law& law, double step, double deepest, 
             const double d2 = dot(d, d), sum = a.radius + b.radius;
             const double least = sum - deepest * (a.radius < b.radius ? a.radius : b.radius);
             const bool touches = d2 < sum * sum;
-            __builtin_prefetch(motions + pairs[p].j);
-            __builtin_prefetch(loads + pairs[p].j);
-            __builtin_prefetch(leads + pairs[p].j);
+            const index farther = std::max(pairs[p].i, pairs[p].j);
+            __builtin_prefetch(motions + farther);
+            __builtin_prefetch(loads + farther);
+            __builtin_prefetch(leads + farther);
             touching[touch_count] = static_cast<std::uint32_t>(p);
             apart[apart_count] = static_cast<std::uint32_t>(p);
             touch_count += touches;

@@ -10,8 +10,8 @@
 namespace hearth::dem::detail {
 
 /// Springs of the contacts of each particle while lists are rebuilt, particles are sorted, and move between ranks.
-/// A spring is kept by the ids of both partners, of the one with the lower id relative to the other; facets of walls have
-/// negative ids and count as the second.
+/// Springs are those of the partner with the lower id relative to the other; facets of walls have negative ids and count as
+/// the second.
 class history {
   public:
     struct entry {
@@ -38,6 +38,15 @@ class history {
         for (std::size_t i = first_.size() - 1; i > 0; --i) first_[i] = first_[i - 1];
         first_[0] = 0;
     }
+
+    /// Adds the row of one more particle.
+    void append(const std::vector<entry>& entries, const std::vector<vector3>& rolls) {
+        entries_.insert(entries_.end(), entries.begin(), entries.end());
+        if (rolling_) rolls_.insert(rolls_.end(), rolls.begin(), rolls.end());
+        first_.push_back(static_cast<std::uint32_t>(entries_.size()));
+    }
+
+    bool rolling() const { return rolling_; }
 
     /// Finds the spring of a particle with a partner; false where they did not touch.
     bool find(index particle, std::int64_t partner, vector3& spring, vector3* roll) const {

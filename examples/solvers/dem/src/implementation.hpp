@@ -2,18 +2,29 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <hearth/dem/bed.hpp>
 
+#include "archive.hpp"
+#include "ghosts.hpp"
 #include "pair_list.hpp"
+#include "slabs.hpp"
 #include "store.hpp"
 #include "wall_list.hpp"
 
 namespace hearth::dem {
 
 struct bed::implementation {
+    implementation(const bed_settings& settings, const decomposition& spread);
+
     bed_settings settings;
+    std::shared_ptr<ranks> among;
+    bool shared;  ///< by more than one rank
+    double near_factor;
+    detail::slabs slabs;
+    detail::ghosts ghosts;
     contact_law law;
     bool rolling = false;
     mutable detail::store particles;  ///< mutable for near_places alone
@@ -31,7 +42,9 @@ struct bed::implementation {
     double wall_travelled = 0;   ///< the same of walls alone
     double largest_radius = 0, smallest_radius = 0;
     box3 extent{};               ///< of the centres then
-    std::vector<sphere> built;   ///< where the particles were then
+    std::int64_t everybody = 0;  ///< particles of all ranks then
+
+    std::optional<motion_error> failure;  ///< found on this rank, not yet known to the others
 
     /// The near list and what it was made for; made when asked for, so it is no part of the state.
     struct near_state {
@@ -43,28 +56,37 @@ struct bed::implementation {
     };
     mutable near_state near;
     void build_near(double reach) const;
+    double near_reach(double factor) const { return factor * 2 * largest_radius; }
 
     double reach() const { return settings.skin * 2 * smallest_radius; }
     detail::history remember() const;
-    void rebuild();
-    /// Keeps the particles in `order` and sorts them into cells; their springs stay with them.
-    void rebuild(const std::vector<index>& order);
+    std::vector<index> everyone() const;
+    /// Keeps these owned particles, brings those that now belong to this rank, and sorts them all into cells; their springs,
+    /// the rows of `past`, stay with them.
+    void rebuild(detail::history past, std::vector<index> kept);
+    void build_lists(detail::history past, std::vector<index> kept);
+    void add_ghosts(detail::sorted_cells& cells);
     void refresh_lists();
     void clear_loads();
     /// Springs move on by `step`; 0 finds the forces of a state that has not moved.
     void add_forces(double step);
-    /// Throws where a particle with this id or a later one is too deep in another or in a wall.
-    void refuse_deep(std::int64_t first_id) const;
-    [[noreturn]] void refuse_speed(double highest) const;
+    /// Remembers as a failure where a particle with this id or a later one is too deep in another or in a wall.
+    void find_deep(std::int64_t first_id);
+    /// Throws on every rank what any of them has found.
+    void raise_failure();
     enum class kick { first, between, last };
+    /// Returns the highest speed of this rank, infinite where one is too high.
     template <kick Which>
-    void move();
+    double move();
+    motion_error too_fast(double highest) const;
+    void step_once(bool first);
     void move_walls();
     template <class Archive, class Implementation>
     static void each_part(Archive& archive, Implementation& self);
     void each_setting(const std::function<void(double)>& see) const;
-    [[noreturn]] void refuse_pair(std::ptrdiff_t pair) const;
-    [[noreturn]] void refuse_touch(const detail::wall_list& list, std::ptrdiff_t candidate) const;
+    void check_settings(detail::reader& archive) const;
+    motion_error too_deep(std::ptrdiff_t pair) const;
+    motion_error too_deep(const detail::wall_list& list, std::ptrdiff_t candidate) const;
 };
 
 }  // namespace hearth::dem

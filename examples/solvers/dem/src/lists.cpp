@@ -27,14 +27,20 @@ void append_missing(std::vector<index>& order, std::size_t n) {
 detail::history bed::implementation::remember() const {
     detail::history past(rolling);
     past.start(particles.owned);
+    const auto owned = static_cast<index>(particles.owned);
     const auto each = [&](auto&& use) {
         for (std::size_t p = 0; p < pairs.pairs.size(); ++p) {
             const vector3& s = pairs.springs[p];
             const vector3* const roll = at_if_any(pairs.rolls, p);
             if (dot(s, s) > 0 || (roll && dot(*roll, *roll) > 0)) {
-                const auto i = static_cast<std::size_t>(pairs.pairs[p].i), j = static_cast<std::size_t>(pairs.pairs[p].j);
-                const double sign = particles.ids[i] < particles.ids[j] ? 1 : -1;
-                use(pairs.pairs[p].i, particles.ids[j], sign, s, roll);
+                const auto [i, j] = pairs.pairs[p];
+                if (!shared) {
+                    use(i, particles.ids[static_cast<std::size_t>(j)], s, roll);
+                    continue;
+                }
+                // Either may go to another rank, and takes what it knows along.
+                if (i < owned) use(i, particles.ids[static_cast<std::size_t>(j)], s, roll);
+                if (j < owned) use(j, particles.ids[static_cast<std::size_t>(i)], s, roll);
             }
         }
         for (const auto& w : walls) {
@@ -42,62 +48,105 @@ detail::history bed::implementation::remember() const {
                 const vector3& s = w.springs[c];
                 const vector3* const roll = at_if_any(w.rolls, c);
                 if (dot(s, s) > 0 || (roll && dot(*roll, *roll) > 0)) {
-                    use(w.candidates[c].particle, w.first_id - w.candidates[c].facet, 1.0, s, roll);
+                    use(w.candidates[c].particle, w.first_id - w.candidates[c].facet, s, roll);
                 }
             }
         }
     };
-    each([&](index i, std::int64_t, double, const vector3&, const vector3*) { past.reserve(i); });
+    each([&](index i, std::int64_t, const vector3&, const vector3*) { past.reserve(i); });
     past.begin_filling();
-    each([&](index i, std::int64_t partner, double sign, const vector3& spring, const vector3* roll) {
-        const vector3 turned = roll ? sign * *roll : vector3{};
-        past.put(i, {partner, sign * spring}, &turned);
+    each([&](index i, std::int64_t partner, const vector3& spring, const vector3* roll) {
+        past.put(i, {partner, spring}, roll);
     });
     past.end_filling();
     return past;
 }
 
-void bed::implementation::rebuild() {
-    std::vector<index> everybody(particles.owned);
-    std::iota(everybody.begin(), everybody.end(), 0);
-    rebuild(everybody);
+std::vector<index> bed::implementation::everyone() const {
+    std::vector<index> all(particles.owned);
+    std::iota(all.begin(), all.end(), 0);
+    return all;
 }
 
-void bed::implementation::rebuild(const std::vector<index>& kept) {
-    const detail::history past = remember();
+void bed::implementation::rebuild(detail::history past, std::vector<index> kept) {
+    build_lists(std::move(past), std::move(kept));
+    particles.built.resize(particles.owned);
+    for (std::size_t i = 0; i < particles.owned; ++i) particles.built[i] = particles.spheres[i].centre;
+    travelled = wall_travelled = 0;
+    listed = true;
+    ++rebuilds;
+}
+
+void bed::implementation::build_lists(detail::history past, std::vector<index> kept) {
+    particles.drop_ghosts();
+    if (shared) {
+        particles.pushed = among->any(particles.pushed);
+        if (particles.pushed) particles.outer_forces.resize(particles.owned);
+        slabs.balance(particles, kept);
+        slabs.migrate(particles, past, kept);
+        ghosts.survey(particles, kept);
+    }
+    const auto at = [&](std::size_t k) -> const sphere& { return particles.spheres[static_cast<std::size_t>(kept[k])]; };
+    constexpr double far = std::numeric_limits<double>::max();
     largest_radius = 0;
-    smallest_radius = kept.empty() ? 0.0 : std::numeric_limits<double>::max();
-    built.resize(kept.size());
+    smallest_radius = far;
+    extent = {{far, far, far}, {-far, -far, -far}};
     for (std::size_t k = 0; k < kept.size(); ++k) {
-        built[k] = particles.spheres[static_cast<std::size_t>(kept[k])];
-        largest_radius = std::fmax(largest_radius, built[k].radius);
-        smallest_radius = std::fmin(smallest_radius, built[k].radius);
+        largest_radius = std::fmax(largest_radius, at(k).radius);
+        smallest_radius = std::fmin(smallest_radius, at(k).radius);
+        for (int a = 0; a < 3; ++a) {
+            extent.low[a] = std::fmin(extent.low[a], at(k).centre[a]);
+            extent.high[a] = std::fmax(extent.high[a], at(k).centre[a]);
+        }
+    }
+    everybody = among->sum(static_cast<std::int64_t>(kept.size()));
+    largest_radius = among->max(largest_radius);
+    smallest_radius = everybody > 0 ? among->min(smallest_radius) : 0;
+    for (int a = 0; a < 3; ++a) {
+        extent.low[a] = everybody > 0 ? among->min(extent.low[a]) : 0;
+        extent.high[a] = everybody > 0 ? among->max(extent.high[a]) : 0;
     }
     const double widest = 2 * largest_radius + reach();
-    detail::sorted_cells cells{detail::cell_grid(built.data(), built.size(), widest > 0 ? widest : 1.0), {}, {}};
+    detail::sorted_cells cells{detail::cell_grid(kept.size(), extent, [&](std::size_t k) -> const vector3& { return at(k).centre; },
+                                                 widest > 0 ? widest : 1.0, *among), {}, {}, {}};
+    if (shared) cells.grid.narrow(slabs.axis(), ghosts.low() - widest, ghosts.high() + widest);
+
     std::vector<index> order;
-    cells.grid.sort(built.data(), built.size(), order, cells.owned_start);
+    cells.grid.sort(kept.size(), [&](std::size_t k) -> const vector3& { return at(k).centre; }, order, cells.owned_start);
+    cells.grid.sort_within_cells([&](index k) { return particles.ids[static_cast<std::size_t>(kept[static_cast<std::size_t>(k)])]; },
+                                 order, cells.owned_start);
     for (index& o : order) o = kept[static_cast<std::size_t>(o)];
     append_missing(order, particles.owned);
     particles.reorder(order, kept.size());
-    built = particles.spheres;
+    if (shared) add_ghosts(cells);
     build_pairs(pairs, particles, cells, reach(), past, order, rolling);
     for (auto& w : walls) {
         w.build(particles, cells.grid, cells.owned_start, largest_radius, reach(), past, order, rolling);
     }
-    extent = {{0, 0, 0}, {0, 0, 0}};
-    for (std::size_t i = 0; i < particles.owned; ++i) {
-        const vector3& x = particles.spheres[i].centre;
-        if (i == 0) extent = {x, x};
-        for (int a = 0; a < 3; ++a) {
-            extent.low[a] = std::fmin(extent.low[a], x[a]);
-            extent.high[a] = std::fmax(extent.high[a], x[a]);
-        }
-    }
-    travelled = wall_travelled = 0;
-    listed = true;
+    if (shared) ghosts.want(particles, pairs);
     ++revision;
-    ++rebuilds;
+}
+
+/// Brings the ghosts and sorts those that owned particles may touch in among them.
+void bed::implementation::add_ghosts(detail::sorted_cells& cells) {
+    const double near = near_factor > 0 ? near_reach(near_factor) + reach() : 0.0;  // both may move by half the reach
+    const std::vector<index> touching = ghosts.make(particles, largest_radius, reach(), near);
+    if (touching.empty()) return;
+    const auto id = [&](index i) { return particles.ids[static_cast<std::size_t>(i)]; };
+    std::vector<index> order, start;
+    cells.grid.sort(touching.size(),
+                    [&](std::size_t k) -> const vector3& { return particles.spheres[static_cast<std::size_t>(touching[k])].centre; },
+                    order, start);
+    cells.start.push_back(0);
+    index own = 0;
+    std::size_t other = 0;
+    for (std::size_t c = 0; c + 1 < start.size(); ++c) {
+        for (; own < cells.owned_start[c + 1]; ++own) cells.members.push_back(own);
+        for (; other < static_cast<std::size_t>(start[c + 1]); ++other)
+            cells.members.push_back(touching[static_cast<std::size_t>(order[other])]);
+        cells.start.push_back(static_cast<index>(cells.members.size()));
+    }
+    cells.grid.sort_within_cells(id, cells.members, cells.start);
 }
 
 /// Called after each move, with `travelled` a bound from the fastest particle; exact distances are taken only when the
@@ -108,31 +157,45 @@ void bed::implementation::refresh_lists() {
     if (listed) {
         double farthest = 0;
         for (std::size_t i = 0; i < particles.owned; ++i) {
-            const vector3 d = particles.spheres[i].centre - built[i].centre;
+            const vector3 d = particles.spheres[i].centre - particles.built[i];
             farthest = std::fmax(farthest, dot(d, d));
         }
-        travelled = std::fmax(std::sqrt(farthest), wall_travelled);
+        travelled = std::fmax(std::sqrt(among->max(farthest)), wall_travelled);
     }
-    if (!listed || travelled > 0.9 * limit) rebuild();
+    if (!listed || travelled > 0.9 * limit) rebuild(remember(), everyone());
 }
 
 void bed::implementation::add_forces(double step) {
     using namespace detail;
     const double deepest = settings.deepest_overlap;
-    if (const auto p = add_pair_forces(law, step, deepest, particles, pairs); p >= 0) refuse_pair(p);
+    if (const auto p = add_pair_forces(law, step, deepest, particles, pairs); p >= 0) failure = too_deep(p);
     for (auto& w : walls) {
-        if (const auto c = add_wall_forces(w.law, step, deepest, particles, w); c >= 0) refuse_touch(w, c);
+        if (const auto c = add_wall_forces(w.law, step, deepest, particles, w); c >= 0) failure = too_deep(w, c);
     }
+    if (!shared && failure) raise_failure();  // ranks tell one another in the next step
 }
 
-void bed::implementation::refuse_deep(std::int64_t first_id) const {
+void bed::implementation::raise_failure() {
+    std::optional<motion_error> found;
+    found.swap(failure);
+    if (!among->any(found.has_value())) return;
+    constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+    const std::vector<std::int64_t> ids = among->gather(std::vector<std::int64_t>{found ? found->id : none});
+    const auto first = std::min_element(ids.begin(), ids.end());
+    std::string text;
+    if (first - ids.begin() == among->rank()) text = found->what();
+    const std::vector<char> told = among->gather(std::vector<char>(text.begin(), text.end()));
+    throw motion_error({told.begin(), told.end()}, *first);
+}
+
+void bed::implementation::find_deep(std::int64_t first_id) {
     const auto is_new = [&](index i) { return particles.ids[static_cast<std::size_t>(i)] >= first_id; };
     for (std::size_t p = 0; p < pairs.pairs.size(); ++p) {
         const auto [i, j] = pairs.pairs[p];
         if (!is_new(i) && !is_new(j)) continue;
         const sphere &a = particles.spheres[static_cast<std::size_t>(i)], &b = particles.spheres[static_cast<std::size_t>(j)];
         const double overlap = a.radius + b.radius - norm(a.centre - b.centre);
-        if (overlap > settings.deepest_overlap * std::fmin(a.radius, b.radius)) refuse_pair(static_cast<std::ptrdiff_t>(p));
+        if (overlap > settings.deepest_overlap * std::fmin(a.radius, b.radius)) failure = too_deep(static_cast<std::ptrdiff_t>(p));
     }
     std::vector<detail::wall_list::touch> touches;
     for (const auto& w : walls) {
@@ -142,12 +205,12 @@ void bed::implementation::refuse_deep(std::int64_t first_id) const {
             const index i = w.candidates[t.candidate].particle;
             const double radius = particles.spheres[static_cast<std::size_t>(i)].radius;
             if (is_new(i) && std::sqrt(t.squared_distance) < (1 - settings.deepest_overlap) * radius)
-                refuse_touch(w, static_cast<std::ptrdiff_t>(t.candidate));
+                failure = too_deep(w, static_cast<std::ptrdiff_t>(t.candidate));
         }
     }
 }
 
-void bed::implementation::refuse_pair(std::ptrdiff_t pair) const {
+motion_error bed::implementation::too_deep(std::ptrdiff_t pair) const {
     const auto [i, j] = pairs.pairs[static_cast<std::size_t>(pair)];
     const sphere &a = particles.spheres[static_cast<std::size_t>(i)], &b = particles.spheres[static_cast<std::size_t>(j)];
     const std::int64_t id = particles.ids[static_cast<std::size_t>(i)];
@@ -155,17 +218,17 @@ void bed::implementation::refuse_pair(std::ptrdiff_t pair) const {
     text << "hearth: particles " << id << " and " << particles.ids[static_cast<std::size_t>(j)] << " overlap by "
          << a.radius + b.radius - norm(a.centre - b.centre) << " m, allowed: " << settings.deepest_overlap
          << " of the smaller radius, " << std::fmin(a.radius, b.radius) << " m";
-    throw motion_error(text.str(), id);
+    return motion_error(text.str(), id);
 }
 
-void bed::implementation::refuse_touch(const detail::wall_list& list, std::ptrdiff_t candidate) const {
+motion_error bed::implementation::too_deep(const detail::wall_list& list, std::ptrdiff_t candidate) const {
     const auto i = static_cast<std::size_t>(list.candidates[static_cast<std::size_t>(candidate)].particle);
     std::ostringstream text;
     text << "hearth: particle " << particles.ids[i] << " at (" << particles.spheres[i].centre.x << ", "
          << particles.spheres[i].centre.y << ", " << particles.spheres[i].centre.z << ") m is deeper in the wall of patch "
          << list.body.patch << " than " << settings.deepest_overlap << " of its radius, " << particles.spheres[i].radius
          << " m";
-    throw motion_error(text.str(), particles.ids[i]);
+    return motion_error(text.str(), particles.ids[i]);
 }
 
 }  // namespace hearth::dem

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "implementation.hpp"
@@ -17,10 +18,10 @@ lead lead_of(const vector3& dv, const vector3& dw) {
 /// Velocity Verlet.  Between two steps the second half of one kick and the first of the next are given in one pass, as two
 /// separate sums, so that a run in parts equals a run in one go bit for bit.
 template <bed::implementation::kick Which>
-void bed::implementation::move() {
+double bed::implementation::move() {
     const double step = settings.step, half = 0.5 * step;
     const vector3 gravity = settings.gravity;
-    const bool pushed = !particles.outer_forces.empty();
+    const bool pushed = particles.pushed;
     const double highest = settings.deepest_overlap * smallest_radius / step;
     double fastest = 0;
     bool fits = true;
@@ -47,19 +48,31 @@ void bed::implementation::move() {
             l = {pushed ? particles.outer_forces[i] : vector3{}, 0, {}, 0};
         }
     }
-    if (Which == kick::last) return;
-    travelled += std::sqrt(fastest) * step;
-    if (!fits) refuse_speed(highest);
+    if (!fits) failure = too_fast(highest);
+    return fits ? std::sqrt(fastest) : std::numeric_limits<double>::infinity();
 }
 
-template void bed::implementation::move<bed::implementation::kick::first>();
-template void bed::implementation::move<bed::implementation::kick::between>();
-template void bed::implementation::move<bed::implementation::kick::last>();
+template double bed::implementation::move<bed::implementation::kick::first>();
+template double bed::implementation::move<bed::implementation::kick::between>();
+template double bed::implementation::move<bed::implementation::kick::last>();
+
+void bed::implementation::step_once(bool first) {
+    const double mine = first ? move<kick::first>() : move<kick::between>();
+    if (shared) ghosts.begin_motion(particles);
+    const double fastest = among->max(failure ? std::numeric_limits<double>::infinity() : mine);
+    if (shared) ghosts.end_motion(particles);
+    if (std::isinf(fastest)) raise_failure();
+    travelled += fastest * settings.step;
+    move_walls();
+    refresh_lists();
+    add_forces(settings.step);
+    ++steps;
+}
 
 void bed::implementation::clear_loads() {
     for (std::size_t i = 0; i < particles.owned; ++i) {
         particles.leads[i] = {};
-        particles.loads[i] = {particles.outer_forces.empty() ? vector3{} : particles.outer_forces[i], 0, {}, 0};
+        particles.loads[i] = {particles.pushed ? particles.outer_forces[i] : vector3{}, 0, {}, 0};
     }
 }
 
@@ -74,14 +87,14 @@ void bed::implementation::move_walls() {
     travelled = std::fmax(travelled, wall_travelled);
 }
 
-void bed::implementation::refuse_speed(double highest) const {
+motion_error bed::implementation::too_fast(double highest) const {
     std::size_t i = 0;
-    while (norm(particles.motions[i].velocity) <= highest) ++i;
+    while (dot(particles.motions[i].velocity, particles.motions[i].velocity) <= highest * highest) ++i;
     std::ostringstream text;
     text << "hearth: particle " << particles.ids[i] << " moves at " << norm(particles.motions[i].velocity)
          << " m/s, allowed: " << highest << " m/s, so that it does not pass " << settings.deepest_overlap
          << " of the smallest radius in one step; take a shorter step";
-    throw motion_error(text.str(), particles.ids[i]);
+    return motion_error(text.str(), particles.ids[i]);
 }
 
 }  // namespace hearth::dem

@@ -10,7 +10,7 @@ namespace hearth::dem {
 
 /// All pairs of centres within `reach`, each in the row of the earlier place.
 void bed::implementation::build_near(double reach) const {
-    const std::size_t n = particles.owned;
+    const std::size_t n = particles.total();
     detail::fine_cells cells(particles.spheres.data(), n, reach);
     near_list& list = near.list;
     list.start.assign(1, 0);
@@ -35,9 +35,13 @@ const bed::near_list& bed::near_pairs(double factor) const {
     detail::check(factor > 0 && std::isfinite(factor), "factor of near pairs", factor, "finite and > 0 [-]");
     const implementation& self = *self_;
     auto& near = self.near;
-    double largest = 0;
-    for (index i = 0; i < size(); ++i) largest = std::fmax(largest, spheres()[i].radius);
-    const double wanted = factor * 2 * largest;
+    const double wanted = self.near_reach(factor);
+    if (self.shared) {
+        detail::check(factor <= self.near_factor, "factor of near pairs", factor, "<= near_factor of the decomposition [-]");
+        // Ghosts are others in each revision; within one no particle gets farther than half the reach from where it began.
+        if (near.revision != self.revision || near.reach < wanted) self.build_near(wanted + 2 * self.reach());
+        return near.list;
+    }
     // Good as long as no two particles that were farther apart than the list's reach can have come within `wanted`.
     const double spare = 0.5 * (near.reach - wanted);
     bool good = near.reach >= wanted && near.list.start.size() > 1;
@@ -103,7 +107,7 @@ std::vector<int> bed::contact_counts() const {
     std::vector<int> counts(static_cast<std::size_t>(size()), 0);
     for_each_contact([&](index i, index j, double, double, const vector3&) {
         ++counts[static_cast<std::size_t>(i)];
-        ++counts[static_cast<std::size_t>(j)];
+        if (j < size()) ++counts[static_cast<std::size_t>(j)];
     });
     for (const touch& t : wall_touches()) ++counts[static_cast<std::size_t>(t.i)];
     return counts;

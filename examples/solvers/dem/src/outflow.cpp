@@ -12,11 +12,33 @@ using detail::check;
 
 namespace {
 
-double largest_diameter(const bed& b) {
-    double largest = 0;
-    for (index i = 0; i < b.size(); ++i) largest = std::fmax(largest, 2 * b.spheres()[i].radius);
-    return largest;
+/// A particle that may leave, on whatever rank: without gaps between the members.
+struct candidate {
+    double height, mass, temperature;
+    std::int64_t id;
+    index place;
+    std::int32_t rank;
+};
+
+/// Those of all ranks that are wanted, the lowest first.
+template <class Wanted>
+std::vector<candidate> candidates(const bed& b, Wanted&& wanted) {
+    std::vector<candidate> mine;
+    for (index i = 0; i < b.size(); ++i) {
+        if (wanted(i)) mine.push_back({b.spheres()[i].centre.z, b.mass(i), b.temperatures()[i], b.ids()[i], i, b.among().rank()});
+    }
+    std::vector<candidate> all = b.among().gather(mine);
+    std::sort(all.begin(), all.end(), [](const candidate& one, const candidate& other) {
+        return one.height != other.height ? one.height < other.height : one.id < other.id;
+    });
+    return all;
 }
+
+std::vector<candidate> below(const bed& b, double height) {
+    return candidates(b, [&](index i) { return b.spheres()[i].centre.z < height; });
+}
+
+double exit_of(const bed& b, const outflow::settings& s) { return s.height + b.largest_radius(); }
 
 }  // namespace
 
@@ -40,42 +62,36 @@ int outflow::update(bed& b, double seconds) {
     return count;
 }
 
+/// One of the candidates that is due leaves; false if it is not.
+bool outflow::let_go(double mass, double temperature) {
+    if (state_.due < mass) return false;
+    state_.due -= mass;
+    state_.taken += mass;
+    state_.mass_temperature += mass * temperature;
+    ++state_.particles;
+    return true;
+}
+
 /// Those that would rest on the floor or are below it leave, the lowest first, as long as they are due.
 int outflow::take_lowest(bed& b) {
     b.set_wall_open(settings_.floor, true);
-    const double exit = settings_.height + 0.5 * largest_diameter(b);
-    std::vector<index> below;
-    for (index i = 0; i < b.size(); ++i)
-        if (b.spheres()[i].centre.z < exit) below.push_back(i);
-    std::sort(below.begin(), below.end(), [&](index i, index j) {
-        const double zi = b.spheres()[i].centre.z, zj = b.spheres()[j].centre.z;
-        return zi != zj ? zi < zj : b.ids()[i] < b.ids()[j];
-    });
-    std::size_t count = 0;
-    for (; count < below.size() && state_.due >= b.mass(below[count]); ++count) {
-        const double mass = b.mass(below[count]);
-        state_.due -= mass;
-        state_.taken += mass;
-        state_.mass_temperature += mass * b.temperatures()[below[count]];
+    int count = 0;
+    std::vector<index> gone;
+    for (const candidate& c : below(b, exit_of(b, settings_))) {
+        if (!let_go(c.mass, c.temperature)) break;
+        ++count;
+        if (c.rank == b.among().rank()) gone.push_back(c.place);
     }
-    below.resize(count);
-    state_.particles += static_cast<std::int64_t>(count);
-    if (count > 0) b.remove(below);
-    return static_cast<int>(count);
+    if (count > 0) b.remove(gone);
+    return count;
 }
 
 /// The lowest layer moves as a body at flow over mass per height.  Its speed is trimmed by what has passed the exit and
 /// is not yet due, so that the two never part by more than about half a layer.
 void outflow::drive(bed& b) {
-    const double diameter = largest_diameter(b), exit = settings_.height + 0.5 * diameter;
-    const double top = exit + settings_.layer * diameter;
+    const double exit = exit_of(b, settings_), top = exit + settings_.layer * 2 * b.largest_radius();
     double layer_mass = 0, passed = 0;
-    for (index i = 0; i < b.size(); ++i) {
-        const double z = b.spheres()[i].centre.z;
-        if (z >= top) continue;
-        if (z < exit) passed += b.mass(i);
-        else layer_mass += b.mass(i);
-    }
+    for (const candidate& c : below(b, top)) (c.height < exit ? passed : layer_mass) += c.mass;
     double speed = 0;
     if (layer_mass > 0) {
         const double per_height = layer_mass / (top - exit);
@@ -90,24 +106,22 @@ void outflow::drive(bed& b) {
 }
 
 int outflow::take_touching(bed& b) {
-    std::vector<index> touching;
+    std::vector<char> touches(static_cast<std::size_t>(b.size()), 0);
     for (const bed::touch& t : b.wall_touches())
-        if (t.wall == settings_.floor) touching.push_back(t.i);
-    std::sort(touching.begin(), touching.end(), [&](index i, index j) { return b.ids()[i] < b.ids()[j]; });
+        if (t.wall == settings_.floor) touches[static_cast<std::size_t>(t.i)] = 1;
+    std::vector<candidate> touching = candidates(b, [&](index i) { return touches[static_cast<std::size_t>(i)] != 0; });
+    std::sort(touching.begin(), touching.end(), [](const candidate& one, const candidate& other) { return one.id < other.id; });
+    int count = 0;
     std::vector<index> gone;
     while (!touching.empty()) {
         const auto pick = touching.begin() + static_cast<std::ptrdiff_t>(state_.random.next() % touching.size());
-        const double mass = b.mass(*pick);
-        if (state_.due < mass) break;
-        state_.due -= mass;
-        state_.taken += mass;
-        state_.mass_temperature += mass * b.temperatures()[*pick];
-        gone.push_back(*pick);
+        if (!let_go(pick->mass, pick->temperature)) break;
+        ++count;
+        if (pick->rank == b.among().rank()) gone.push_back(pick->place);
         touching.erase(pick);
     }
-    state_.particles += static_cast<std::int64_t>(gone.size());
-    if (!gone.empty()) b.remove(gone);
-    return static_cast<int>(gone.size());
+    if (count > 0) b.remove(gone);
+    return count;
 }
 
 }  // namespace hearth::dem

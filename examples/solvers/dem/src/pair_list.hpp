@@ -14,7 +14,8 @@
 namespace hearth::dem::detail {
 
 /// Pairs of particles that may touch before the lists are rebuilt, with their springs: 32 bytes a pair.
-/// The first of a pair with a ghost is the one with the lower id, so that both ranks compute the same force.
+/// The first of a pair is the one with the lower id, and pairs are in the order of cells and ids: forces have the same bits
+/// on any number of ranks.  A pair with a ghost is on the lists of both ranks.
 struct pair_list {
     std::vector<bed::pair> pairs;
     std::vector<vector3> springs;
@@ -42,14 +43,15 @@ void for_each_run(const cell_grid& grid, const std::vector<index>& start, index 
     }
 }
 
-/// Owned particles, then ghosts, each sorted into the cells of one grid.
+/// Particles sorted into the cells of one grid: owned ones, and all that count for contacts.
 struct sorted_cells {
     cell_grid grid;
-    std::vector<index> owned_start, ghost_start;
+    std::vector<index> owned_start;
+    std::vector<index> members, start;  ///< with ghosts among them, in the order of cells and ids; empty without ghosts
 };
 
-/// Fills the list with the pairs whose gap is below `reach`; springs come from the history, whose rows are those of the
-/// owned particles before they were sorted (old_place).
+/// Fills the list with the pairs of at least one owned particle whose gap is below `reach`; springs come from the history,
+/// whose rows are those of the owned particles before they were sorted (old_place).
 void build_pairs(pair_list& list, const store& particles, const sorted_cells& cells, double reach, const history& past,
                  const std::vector<index>& old_place, bool rolling);
 

@@ -20,7 +20,10 @@ struct store {
     std::vector<double> temperatures;
     std::vector<std::uint8_t> flights;  ///< 128 in flight, and how long the number of contacts has asked for the other
     std::vector<index> near_places;     ///< of each particle in the near list, -1 where it is new
-    std::vector<vector3> outer_forces;  ///< empty while nobody has set one
+    std::vector<vector3> outer_forces;  ///< empty unless pushed
+    std::vector<vector3> built;         ///< centres when the lists were built
+    bool pushed = false;                ///< somebody has set a force from outside
+    bool built_goes_along = false;      ///< with its particle wherever that goes; else it is made anew with the lists
 
     static constexpr std::uint8_t in_flight = 128;
 
@@ -35,8 +38,11 @@ struct store {
         temperatures.resize(total);
         flights.resize(total, in_flight);
         near_places.resize(total, -1);
-        if (!outer_forces.empty()) outer_forces.resize(total);
+        if (pushed) outer_forces.resize(total);
+        if (built_goes_along) built.resize(total);
     }
+
+    void drop_ghosts() { resize(owned); }
 
     /// Owned particle k becomes the old particle order[k], for k < kept; the others in `order`, a permutation of all owned,
     /// are gone, and so are ghosts.  In place: memory does not grow.
@@ -49,7 +55,8 @@ struct store {
         permute(temperatures, order, kept);
         permute(flights, order, kept);
         permute(near_places, order, kept);
-        if (!outer_forces.empty()) permute(outer_forces, order, kept);
+        if (pushed) permute(outer_forces, order, kept);
+        if (built_goes_along) permute(built, order, kept);
         owned = kept;
     }
 
@@ -57,7 +64,8 @@ struct store {
         return spheres.capacity() * sizeof(sphere) + motions.capacity() * sizeof(motion) +
                loads.capacity() * sizeof(load) + leads.capacity() * sizeof(lead) +
                ids.capacity() * sizeof(std::int64_t) +
-               temperatures.capacity() * sizeof(double) + flights.capacity() + near_places.capacity() * sizeof(index) + outer_forces.capacity() * sizeof(vector3);
+               temperatures.capacity() * sizeof(double) + flights.capacity() + near_places.capacity() * sizeof(index) +
+               (outer_forces.capacity() + built.capacity()) * sizeof(vector3);
     }
 
   private:

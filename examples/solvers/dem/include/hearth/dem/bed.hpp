@@ -10,6 +10,7 @@
 
 #include <hearth/dem/contact_law.hpp>
 #include <hearth/dem/particles.hpp>
+#include <hearth/dem/ranks.hpp>
 #include <hearth/dem/wall.hpp>
 
 namespace hearth::dem {
@@ -39,9 +40,13 @@ struct bed_settings {
 ///
 /// Particles are kept in the order of their place, so their indices change whenever the lists are rebuilt (`revision()`
 /// tells); their ids do not.  Velocity Verlet; between calls positions and velocities belong to the same time.
+///
+/// A bed may be spread over ranks.  Then each owns particles 0 <= i < size(), which ones changes with the revision, and
+/// behind them stand ghosts: copies of others' particles that it may touch.  Walls and their changes are the same on all
+/// ranks.  Calls marked "together" are made by all ranks at the same place, and throw on all or none.
 class bed {
   public:
-    explicit bed(const bed_settings& settings);
+    explicit bed(const bed_settings& settings, const decomposition& spread = {});
     ~bed();
     bed(bed&&) noexcept;
     bed& operator=(bed&&) noexcept;
@@ -58,24 +63,38 @@ class bed {
     double patch_temperature(int patch) const;
     const wall& wall_at(int wall_number) const;
     int wall_count() const;
-    /// Force of the particles on a wall [N] in the last step.
+    /// Force of the particles on a wall [N] in the last step.  Together.
     vector3 force_on_wall(int wall_number) const;
 
     /// Adds particles and returns the id of the first; the others follow.  Refuses, with the bed as it was, values that
     /// are not finite, and particles deeper in others or in walls than `deepest_overlap`.  Throws bad_value, motion_error.
+    /// Together, with the same particles: each goes to the rank that owns its place.
     std::int64_t insert(const std::vector<particle>& particles);
-    /// Removes the particles of these indices.
+    /// Removes the particles of these indices.  Together, each rank its own.
     void remove(const std::vector<index>& indices);
 
     /// Moves on by `steps` steps.  Throws motion_error; the bed then holds the step that failed: restore a state before it.
+    /// Together.
     void advance(int steps);
     double time() const;
     std::int64_t steps() const;
     const bed_settings& settings() const;
     void set_gravity(const vector3& gravity);
 
-    /// Particles, by index.
+    /// The ranks that share the bed.
+    ranks& among() const;
+    bool is_shared() const;  ///< by more than one rank
+    std::int64_t size_over_ranks() const;
+    double largest_radius() const;  ///< of the particles of all ranks [m]; 0 without any
+
+    /// Particles that this rank owns, by index; arrays go on with the ghosts.
     index size() const;
+    index ghost_count() const;
+    /// Rank that owns the ghost with the index i >= size().
+    int ghost_owner(index i) const;
+    /// Positions, motions and temperatures of all ghosts become those of their owners.  To be called after advance() and
+    /// after temperatures have changed, before neighbours or temperatures of ghosts are read.  Together.
+    void update_ghosts();
     const sphere* spheres() const;
     const motion* motions() const;
     const load* loads() const;
@@ -101,23 +120,27 @@ class bed {
     void expire_lists();
 
     /// All that the next step depends on, with a checksum: a run that is saved and restored equals one that went on, bit for
-    /// bit.  In the byte order of this machine.
+    /// bit.  In the byte order of this machine.  On several ranks a part: of the particles that this rank owns.  Together.
     std::vector<char> state() const;
     /// Into a bed of the same settings and walls; particles that it has are replaced.  Throws state_error, with the bed as
-    /// it was, for a state that is damaged or was made otherwise.
+    /// it was, for a state that is damaged or was made otherwise.  Together.
     void restore(const std::vector<char>& state);
+    /// From all parts of a state, on any number of ranks: each rank gives some of them or none, in any order, and all
+    /// together give each part once.
+    void restore_parts(const std::vector<std::vector<char>>& parts);
 
     /// Bytes that the bed holds, without the near list.
     std::size_t memory() const;
 
-    /// Contacts as of the last step.  visit(i, j, elastic normal force [N], overlap [m], point [m]): every touching pair once.
+    /// Contacts as of the last step.  visit(i, j, elastic normal force [N], overlap [m], point [m]): every touching pair once;
+    /// j may be a ghost, and then the other rank visits the pair too.  On several ranks update_ghosts() first.
     template <class Visit>
     void for_each_contact(Visit&& visit) const;
     /// visit(i, wall number, elastic normal force [N], overlap [m], point [m])
     template <class Visit>
     void for_each_wall_contact(Visit&& visit) const;
 
-    /// Number of contacts of every particle, walls included.
+    /// Number of contacts of every owned particle, walls included.
     std::vector<int> contact_counts() const;
 
     struct pair {
@@ -135,8 +158,9 @@ class bed {
     const contact_law& law() const;
     const contact_law& wall_law(int wall_number) const;
 
-    /// visit(i, j, distance of centres [m]): every pair with a distance below factor * (R_i + R_j), once.  The list behind it
-    /// is made from the same cells as that of contacts, with a skin of its own, and only when it is asked for.
+    /// visit(i, j, distance of centres [m]): every pair with a distance below factor * (R_i + R_j), once; j may be a ghost, as
+    /// with contacts.  The list behind it has a skin of its own and is made only when it is asked for.  On several ranks the
+    /// factor is at most that of the decomposition: throws bad_value otherwise.
     template <class Visit>
     void for_each_near(double factor, Visit&& visit) const;
     /// visit(i, wall number, distance of the centre to the wall [m]), distance below factor * 2 R_i.
@@ -189,7 +213,9 @@ void bed::for_each_contact(Visit&& visit) const {
             const double ri = all[i].radius, rj = all[j].radius, inverse_sum = 1 / (ri + rj), distance = norm(d);
             const double overlap = ri + rj - distance;
             const double force = stiffness * std::sqrt(ri * rj * inverse_sum * overlap) * overlap;
-            visit(i, j, force, overlap, all[i].centre - ((ri - overlap * rj * inverse_sum) / distance) * d);
+            const vector3 point = all[i].centre - ((ri - overlap * rj * inverse_sum) / distance) * d;
+            if (i < size()) visit(i, j, force, overlap, point);
+            else visit(j, i, force, overlap, point);
         }
     }
 }
@@ -206,7 +232,9 @@ void bed::for_each_near(double factor, Visit&& visit) const {
             if (j < 0) continue;
             const vector3 d = all[i].centre - all[j].centre;
             const double squared = dot(d, d), limit = factor * (all[i].radius + all[j].radius);
-            if (squared < limit * limit) visit(i, j, std::sqrt(squared));
+            if (!(squared < limit * limit)) continue;
+            if (i < size()) visit(i, j, std::sqrt(squared));
+            else if (j < size()) visit(j, i, std::sqrt(squared));
         }
     }
 }

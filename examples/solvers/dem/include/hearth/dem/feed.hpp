@@ -7,7 +7,8 @@
 #include <hearth/dem/bed.hpp>
 #include <hearth/dem/random.hpp>
 
-/// What goes into a bed and what comes out of it.  Heights are along z.
+/// What goes into a bed and what comes out of it.  Heights are along z.  On several ranks all make these calls together,
+/// draw the same random numbers and hold the same states and totals, to the bit those of one rank.
 namespace hearth::dem {
 
 /// Sieve analysis: the share of the mass that is finer than a diameter, linear in between.
@@ -120,6 +121,7 @@ class outflow {
     void set_mass_flow(double kg_per_s);
 
   private:
+    bool let_go(double mass, double temperature);
     int take_lowest(bed& b);
     int take_touching(bed& b);
     void drive(bed& b);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -19,10 +19,13 @@ namespace hearth::dem {
 /// All ranks make the same calls in the same order.
 class ranks {
   public:
+    static constexpr bool is_distributed = true;  // as a communicator for hearth's own algorithms
+
     virtual ~ranks() = default;
     virtual int rank() const = 0;
     virtual int size() const = 0;
     virtual double max(double mine) const = 0;
+    virtual std::int64_t max(std::int64_t mine) const = 0;
     virtual void sum(std::int64_t* values, std::size_t count) const = 0;
     /// Sends each parcel to its rank and returns what came, in order of rank.  Throws std::length_error from 2 GB a parcel.
     virtual std::vector<parcel<char>> exchange(std::vector<parcel<char>> outgoing) const = 0;
@@ -50,7 +53,7 @@ class ranks {
         for (const auto& from : exchange(std::move(outgoing))) {
             const std::size_t before = all.size();
             all.resize(before + from.values.size() / sizeof(Value));
-            std::memcpy(all.data() + before, from.values.data(), from.values.size());
+            std::copy(from.values.begin(), from.values.end(), reinterpret_cast<char*>(all.data() + before));
         }
         return all;
     }
@@ -65,6 +68,7 @@ std::shared_ptr<ranks> over(Communicator communicator) {
         int rank() const override { return communicator_.rank(); }
         int size() const override { return communicator_.size(); }
         double max(double mine) const override { return communicator_.max(mine); }
+        std::int64_t max(std::int64_t mine) const override { return communicator_.max(mine); }
         void sum(std::int64_t* values, std::size_t count) const override { communicator_.sum(values, count); }
         std::vector<parcel<char>> exchange(std::vector<parcel<char>> outgoing) const override {
             bool fits = true;
