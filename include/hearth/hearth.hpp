@@ -29,6 +29,7 @@
 #include <hearth/core/lane_math.hpp>
 #include <hearth/core/lattice.hpp>
 #include <hearth/core/mesh_traits.hpp>
+#include <hearth/core/particle_halo.hpp>
 #include <hearth/core/particle_traits.hpp>
 #include <hearth/core/quantity.hpp>
 #include <hearth/core/remote_faces.hpp>
@@ -94,6 +95,8 @@
 #include <hearth/time/drying_step.hpp>
 #include <hearth/time/gas_exchange.hpp>
 #include <hearth/time/limits.hpp>
+#include <hearth/time/network_input.hpp>
+#include <hearth/time/network_islands.hpp>
 #include <hearth/time/network_solver.hpp>
 #include <hearth/time/particle_energy.hpp>
 #include <hearth/time/thermal_network.hpp>

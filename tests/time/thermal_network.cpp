@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -149,8 +150,13 @@ TEST_CASE("thermal network: one pass satisfies the linear equations of a chain")
     const double step = 30;
     std::vector<double> t = n.temperature;
     std::vector<particle_step<double>> taken;
-    thermal_network().advance(
-        n.pairs, n.baths, n.mass, [&](std::size_t) { return caloric; }, tssm(200.0), step, t, taken);
+    thermal_network::params to_round_off;
+    to_round_off.tolerance = 1e-16;
+    const auto report =
+        thermal_network(to_round_off)
+            .advance(
+                n.pairs, n.baths, n.mass, [&](std::size_t) { return caloric; }, tssm(200.0), step, t, taken);
+    CHECK(report.converged);
     for (std::size_t i = 0; i < 40; ++i) {
         double rate = i == 0 ? 0.3 * (1500 - t[0]) : 0.0, size = 0.3 * 1500;
         for (const auto& pair : n.pairs) {
@@ -209,6 +215,38 @@ TEST_CASE("thermal network: two passes are backward Euler for radiation, one pas
         // The second pass leaves less than the time step does; one pass leaves more than that.
         CHECK(two < 0.5 * first_order);
         CHECK(one > 3 * two);
+    }
+}
+
+TEST_CASE("thermal network: the error that it reports bounds the distance to the solution") {
+    const constant_specific_heat<> caloric{1000};
+    const auto caloric_of = [&](std::size_t) { return caloric; };
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        CAPTURE(seed);
+        const network n = random_network(seed, false);
+        const double step = seeded(seed + 2000).log_uniform(1e-3, 1e3);
+        CAPTURE(step);
+        // One pass each, so that both solve the same equations.
+        const auto solve = [&](double tolerance) {
+            thermal_network::params settings;
+            settings.passes = 1;
+            settings.tolerance = tolerance;
+            std::vector<double> t = n.temperature;
+            std::vector<particle_step<double>> taken;
+            const auto report = thermal_network(settings).advance(n.pairs, n.baths, n.mass, caloric_of,
+                                                                  tssm_per_particle(678.0, n.factor), step, t, taken);
+            REQUIRE(report.converged);
+            CHECK(imbalance(n, taken, caloric_of) <= 1e-12);
+            return std::pair(t, report.error);
+        };
+        const auto exact = solve(1e-16).first;
+        for (const double tolerance : {1e-2, 1e-5, 4e-10}) {
+            CAPTURE(tolerance);
+            const auto [t, error] = solve(tolerance);
+            CHECK(error <= tolerance * (n.high - n.low));
+            // The shift that closes the energy moves a whole island by no more than the bound; round-off of 2500 K.
+            CHECK(distance(t, exact) <= 2 * error + 1e-10);
+        }
     }
 }
 
