@@ -5,8 +5,10 @@
 #include <string>
 #include <type_traits>
 
+#include <hearth/core/contact_traits.hpp>
 #include <hearth/core/particle_traits.hpp>
 #include <hearth/core/quantity.hpp>
+#include <hearth/transfer/term.hpp>
 
 namespace hearth {
 
@@ -37,6 +39,18 @@ template <class First, class... Rest>
 struct merged_all<First, Rest...> {
     using type = typename merged<First, typename merged_all<Rest...>::type>::type;
 };
+
+/// A list without one tag.
+template <class Tag, class List>
+struct left_out;
+template <class Tag, class... Tags>
+struct left_out<Tag, quantities<Tags...>>
+    : merged_all<std::conditional_t<std::is_same_v<Tag, Tags>, quantities<>, quantities<Tags>>...> {};
+
+template <class... Terms>
+constexpr bool any_has([[maybe_unused]] act kind) {
+    return (has_act<Terms>(kind) || ... || false);
+}
 
 template <class Tag>
 using value_of = std::conditional_t<std::is_same_v<Tag, quantity::force> || std::is_same_v<Tag, quantity::gas_force>,
@@ -133,6 +147,44 @@ struct needs_of {
         detail::list_quantities(result, "of the gas at a particle:", gas_reads{});
         detail::list_quantities(result, "rates that the gas takes there:", gas_writes{});
         return result;
+    }
+};
+
+/// What the list of links of a set of terms asks of a host: all that the terms with contacts, neighbours or views read,
+/// except temperatures, because a link holds at any, and the pairs themselves.
+template <class... Terms>
+class link_needs {
+    template <class Term, class Tags>
+    using if_linked = std::conditional_t<has_act<Term>(act::contact | act::nearby | act::views), Tags, quantities<>>;
+    static constexpr bool touch = detail::any_has<Terms...>(act::contact);
+    static constexpr bool near = detail::any_has<Terms...>(act::nearby | act::views);
+
+  public:
+    using reads =
+        typename detail::left_out<quantity::temperature,
+                                  typename detail::merged_all<if_linked<Terms, typename Terms::reads>...>::type>::type;
+    using gas_reads = typename detail::merged_all<if_linked<Terms, typename Terms::gas_reads>...>::type;
+
+    template <class Cloud, class Contacts, class Gas>
+    static constexpr bool are_met_by() {
+        return detail::gives<Cloud>(reads{}) && detail::gives<Gas>(gas_reads{}) &&
+               (has_contacts_v<Contacts> || !touch) && (has_near_pairs_v<Contacts> || !near);
+    }
+
+    /// Fails to compile with one error that names the first thing that is missing.
+    template <class Cloud, class Contacts, class Gas>
+    static constexpr void require() {
+        if constexpr (!detail::gives<Cloud>(reads{})) {
+            detail::require_gives<Cloud>(reads{});
+        } else if constexpr (!detail::gives<Gas>(gas_reads{})) {
+            detail::require_gives<Gas>(gas_reads{});
+        } else if constexpr (touch && !has_contacts_v<Contacts>) {
+            static_assert(has_contacts_v<Contacts>,
+                          "hearth: contact_traits<Contacts> lacks  for_each_contact(contacts, visit)");
+        } else if constexpr (near) {
+            static_assert(has_near_pairs_v<Contacts>,
+                          "hearth: contact_traits<Contacts> lacks  for_each_near(contacts, radius_factor, visit)");
+        }
     }
 };
 

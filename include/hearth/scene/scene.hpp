@@ -61,11 +61,6 @@ struct scene_terms<std::index_sequence<I...>, Terms...> : indexed<I, Terms>... {
     }
 };
 
-template <class... Terms>
-constexpr bool any_has([[maybe_unused]] act kind) {
-    return (has_act<Terms>(kind) || ... || false);
-}
-
 /// The least kind of link that holds what the terms state.
 template <bool Conducts, bool Radiates>
 using least_link = std::conditional_t<Conducts && Radiates, thermal_link<double>,
@@ -177,7 +172,8 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
         }
     }
 
-    /// All exchange of heat beside the gas, as numbers; to be made anew when particles have moved.
+    /// All exchange of heat beside the gas, as numbers; to be made anew when particles have moved.  Asks what the terms
+    /// with contacts, neighbours or views read, except temperatures: a link holds at any.
     template <class Cloud, class Contacts, class Gas = no_gas>
     link_list<link> links(const Cloud& cloud, const Contacts& contacts, const Gas& gas = {}) const {
         link_list<link> list;
@@ -189,35 +185,9 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
     template <class Cloud, class Contacts, class Gas>
     void links(const Cloud& cloud, const Contacts& contacts, const Gas& gas, link_list<link>& list) const {
         list.clear();
-        using index = particle_index_t<Cloud>;
-        const auto particle = [&](auto i) { return view<Cloud>(cloud, static_cast<index>(i)); };
-        const auto gas_at = [&](auto i) { return view<Gas>(gas, static_cast<particle_index_t<Gas>>(i)); };
-        this->template for_each<act::contact>([&](auto number, const auto& term) {
-            detail::contacts_of<Contacts>::for_each_contact(contacts, [&](auto i, auto j, const contact& touch) {
-                add_pair(list, i, j, term.contact_link(particle(i), particle(j), gas_at(i), gas_at(j), touch));
-            });
-            if constexpr (has_wall_contacts_v<Contacts>) {
-                detail::contacts_of<Contacts>::for_each_wall_contact(
-                    contacts, [&](auto i, auto patch, const contact& touch) {
-                        const auto made = term.wall_contact_link(particle(i), gas_at(i), touch);
-                        if (made.conductance != 0.0)
-                            list.walls.push_back(
-                                {static_cast<std::int32_t>(i), static_cast<std::int32_t>(patch), narrowed(made)});
-                    });
-            }
-            list.close_part(number);
-        });
-        this->template for_each<act::nearby>([&](auto number, const auto& term) {
-            detail::contacts_of<Contacts>::for_each_near(contacts, term.reach(), [&](auto i, auto j, double distance) {
-                add_pair(list, i, j, term.near_link(particle(i), particle(j), gas_at(i), gas_at(j), distance));
-            });
-            list.close_part(number);
-        });
-        this->template for_each<act::views>([&](auto number, const auto& term) {
-            list.views.push_back(
-                detail::build_radiation(term, cloud, contacts, list.pairs, list.walls, list.surroundings));
-            list.close_part(number);
-        });
+        using wanted = link_needs<Terms...>;
+        wanted::template require<Cloud, Contacts, Gas>();
+        if constexpr (wanted::template are_met_by<Cloud, Contacts, Gas>()) list_links(cloud, contacts, gas, list);
     }
 
     /// Bath of each particle: gas, walls and open views at their present temperatures, for the integrators of time/.
@@ -261,6 +231,45 @@ class scene : private detail::scene_terms<std::index_sequence_for<Terms...>, Ter
     }
 
   private:
+    template <class Cloud, class Contacts, class Gas>
+    void list_links(const Cloud& cloud, const Contacts& contacts, const Gas& gas, link_list<link>& list) const {
+        using index = particle_index_t<Cloud>;
+        const auto particle = [&](auto i) { return view<Cloud>(cloud, static_cast<index>(i)); };
+        const auto gas_at = [&](auto i) { return view<Gas>(gas, static_cast<particle_index_t<Gas>>(i)); };
+        // Asked outside of the loops over terms, or a host would owe what no term wants.
+        if constexpr (has(act::contact)) {
+            this->template for_each<act::contact>([&](auto number, const auto& term) {
+                detail::contacts_of<Contacts>::for_each_contact(contacts, [&](auto i, auto j, const contact& touch) {
+                    add_pair(list, i, j, term.contact_link(particle(i), particle(j), gas_at(i), gas_at(j), touch));
+                });
+                if constexpr (has_wall_contacts_v<Contacts>) {
+                    detail::contacts_of<Contacts>::for_each_wall_contact(
+                        contacts, [&](auto i, auto patch, const contact& touch) {
+                            const auto made = term.wall_contact_link(particle(i), gas_at(i), touch);
+                            if (made.conductance != 0.0)
+                                list.walls.push_back(
+                                    {static_cast<std::int32_t>(i), static_cast<std::int32_t>(patch), narrowed(made)});
+                        });
+                }
+                list.close_part(number);
+            });
+        }
+        if constexpr (has(act::nearby)) {
+            this->template for_each<act::nearby>([&](auto number, const auto& term) {
+                detail::contacts_of<Contacts>::for_each_near(
+                    contacts, term.reach(), [&](auto i, auto j, double distance) {
+                        add_pair(list, i, j, term.near_link(particle(i), particle(j), gas_at(i), gas_at(j), distance));
+                    });
+                list.close_part(number);
+            });
+        }
+        this->template for_each<act::views>([&](auto number, const auto& term) {
+            list.views.push_back(
+                detail::build_radiation(term, cloud, contacts, list.pairs, list.walls, list.surroundings));
+            list.close_part(number);
+        });
+    }
+
     template <class Link>
     static link narrowed(const Link& made) {
         const thermal_link<double> wide = widened(made);
