@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A settled bed of spheres of 16 to 19.5 mm in a cylinder of 0.85 m, Hertz with history, skin of a tenth of a diameter: time
-// per particle and step of the motion, with lists rebuilt every ten steps, with conduction, and of radiation to 2.5 diameters.
-// And the error of a bounce over the steps spent on it.
+// per particle and step of the motion, with lists rebuilt every ten steps, with conduction, and of radiation to 2.5 diameters;
+// beside it LAMMPS and LIGGGHTS with the same bed, contact law, step and skin, where they are installed.  Error: speed that
+// the particles at rest still have, root mean square over sqrt(g d).  And the error of a bounce over the steps spent on it.
 #include <hearth/dem/thermal_bed.hpp>
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +20,7 @@
 #include <hearth/transfer/conduction.hpp>
 #include <hearth/transfer/radiation.hpp>
 
+#include "dem/lammps.hpp"
 #include "support/counters.hpp"
 #include "support/random.hpp"
 
@@ -95,6 +98,14 @@ bed& settled(int count) {
     return *b;
 }
 
+const double fall_speed = std::sqrt(9.81 * 0.0178);  // [m/s]
+
+double speed_of(const bed& b) {
+    double sum = 0;
+    for (std::int32_t i = 0; i < b.size(); ++i) sum += dot(b.motions()[i].velocity, b.motions()[i].velocity);
+    return std::sqrt(sum / b.size());
+}
+
 void move(benchmark::State& state, int count, bool rebuild) {
     bed& b = settled(count);
     b.advance(10);
@@ -104,6 +115,32 @@ void move(benchmark::State& state, int count, bool rebuild) {
     }
     bench::set_items(state, 10.0 * b.size());
     state.counters["bytes_per_particle"] = static_cast<double>(b.memory()) / b.size();
+    bench::set_error(state, speed_of(b) / fall_speed);
+}
+
+enum class rival_run { settled, rebuild, conduct };
+
+void move_rival(benchmark::State& state, rivals::lammps::kind which, int count, rival_run how) {
+    static std::map<std::pair<rivals::lammps::kind, int>, std::unique_ptr<rivals::lammps>> started;
+    auto& rival = started[{which, count}];
+    try {
+        if (!rival) {
+            rival = std::make_unique<rivals::lammps>(which);
+            rival->take(settled(count), 0.425, 3580);
+            rival->advance(200);  // springs of contacts build up anew
+        }
+    } catch (const std::runtime_error& missing) {
+        rival.reset();
+        state.SkipWithError(missing.what());
+        return;
+    }
+    rival->rebuild_every(how == rival_run::rebuild ? 10 : 0);
+    static std::set<int> conducting;
+    if (how == rival_run::conduct && conducting.insert(count).second) rival->conduct();
+    rival->advance(10);
+    for (auto _ : state) rival->advance(10);
+    bench::set_items(state, 10.0 * count);
+    bench::set_error(state, rival->speed() / fall_speed);
 }
 
 void conduct(benchmark::State& state, int count) {
@@ -180,6 +217,13 @@ const bool registered = [] {
         const std::string size = "/particles:" + std::to_string(count);
         RegisterBenchmark(("motion of a settled bed/settled" + size).c_str(), move, count, false)->Unit(benchmark::kMillisecond);
         RegisterBenchmark(("motion of a settled bed/lists every 10 steps" + size).c_str(), move, count, true)->Unit(benchmark::kMillisecond);
+        for (const auto which : {rivals::lammps::kind::lammps, rivals::lammps::kind::liggghts}) {
+            const std::string rival = std::string("motion of a settled bed/") + rivals::lammps::name(which);
+            RegisterBenchmark((rival + size).c_str(), move_rival, which, count, rival_run::settled)->Unit(benchmark::kMillisecond);
+            RegisterBenchmark((rival + ", lists every 10 steps" + size).c_str(), move_rival, which, count, rival_run::rebuild)->Unit(benchmark::kMillisecond);
+            if (which == rivals::lammps::kind::liggghts)  // the last: it cannot be switched off
+                RegisterBenchmark((rival + ", with conduction" + size).c_str(), move_rival, which, count, rival_run::conduct)->Unit(benchmark::kMillisecond);
+        }
         RegisterBenchmark(("motion of a settled bed/with conduction" + size).c_str(), conduct, count)->Unit(benchmark::kMillisecond);
         RegisterBenchmark(("radiation of a settled bed/rates" + size).c_str(), radiate, count, part::rates)->Unit(benchmark::kMillisecond);
         RegisterBenchmark(("radiation of a settled bed/links" + size).c_str(), radiate, count, part::links)->Unit(benchmark::kMillisecond);
