@@ -16,6 +16,9 @@
 /// Closures on Eigen's numbers.  Include it beside a closure and pass
 ///     Eigen::Array<double, 8, 1>               eight evaluations at once, one AVX-512 register
 ///     Eigen::AutoDiffScalar<Eigen::Vector3d>   a value and its derivatives in three directions
+///
+/// Clang fuses multiplications and additions of Eigen's numbers only with -ffp-contract=fast, which is GCC's default.
+/// Without it lanes of closures that have no powers take 1.2 to 1.5 times as long as a plain loop.
 namespace hearth {
 
 /// Lanes: Eigen arrays of any size and expressions of them.

@@ -28,11 +28,13 @@ TEST_CASE("water: vapour pressure rises up to the critical point and stays finit
 
 TEST_CASE("water: heat of evaporation of the steam tables") {
     // IAPWS-95, from common steam tables [deg C, kJ/kg]
-    constexpr double rows[][2]{{0.01, 2500.9}, {25, 2441.7}, {60, 2357.7}, {100, 2256.4}, {150, 2113.8}, {200, 1939.8}};
+    constexpr double rows[][2]{{0.01, 2500.9}, {25, 2441.7},  {60, 2357.7}, {100, 2256.4},
+                               {150, 2113.8},  {200, 1939.8}, {250, 1715.2}};
     for (const auto& row : rows) {
         const double celsius = row[0], kilojoule = row[1];
         CAPTURE(celsius);
-        CHECK(water::latent_heat(celsius + 273.15) == doctest::Approx(1e3 * kilojoule).epsilon(5e-4));
+        CHECK(water::latent_heat(celsius + 273.15) ==
+              doctest::Approx(1e3 * kilojoule).epsilon(celsius < 225 ? 3e-4 : 1e-3));
     }
 }
 

@@ -8,7 +8,8 @@ namespace hearth::closure {
 
 /// Drag over all void fractions without a switch:  F = Cd pi d^2/8 rho e^(2 - x) |u-v| (u-v),
 /// Cd = (0.63 + 4.8/sqrt(Re_s))^2, x = 3.7 - 0.65 exp(-(1.5 - log10 Re_s)^2 / 2), Re_s = e Re.
-/// Di Felice, Int. J. Multiphase Flow 20 (1994) 153, doi:10.1016/0301-9322(94)90011-6.
+/// Di Felice, Int. J. Multiphase Flow 20 (1994) 153, doi:10.1016/0301-9322(94)90011-6, for fixed and suspended beds;
+/// his summary gives no bounds: the ranges below are those of packed beds to single spheres, as other codes use it.
 struct di_felice {
     HEARTH_FUNCTION static constexpr const char* name() { return "di_felice"; }
     /// [-]

@@ -7,7 +7,8 @@
 namespace hearth::closure {
 
 /// Pressure drop of packed beds:  -dp/dx = 150 (1-e)^2 mu U / (e^3 d^2) + 1.75 (1-e) rho U^2 / (e^3 d),  U superficial.
-/// Ergun, Chem. Eng. Prog. 48 (1952) 89.
+/// Ergun, Chem. Eng. Prog. 48 (1952) 89; 150 and 1.75 are least squares over 640 experiments (as told by Quinn,
+/// J. Mater. 2014, 548482, doi:10.1155/2014/548482, who doubts them).  The ranges below are those that textbooks give.
 struct ergun {
     HEARTH_FUNCTION static constexpr const char* name() { return "ergun"; }
     /// Beds of spheres [-]; used up to 0.8 in fluidised beds, see gidaspow.

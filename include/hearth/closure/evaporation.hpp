@@ -39,7 +39,9 @@ struct water {
     }
 
     /// Heat of evaporation [J/kg]; 0 above the critical point.
-    /// Own fit to the steam tables of IAPWS-95, within 0.05 % in the range; up to 20 % low close to the critical point.
+    /// Own fit to the steam tables of IAPWS-95 (2500.9, 2256.4, 1939.7, 1715.2 kJ/kg at 0.01, 100, 200, 250 C, as
+    /// handbooks print them): within 0.03 % up to 200 C, 0.1 % up to 250 C, 1 % low at 300 C, up to 20 % low close to
+    /// the critical point.
     template <class Scalar>
     HEARTH_FUNCTION static Scalar latent_heat(const Scalar& temperature) {
         using real = real_t<Scalar>;
