@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/Sparse>
 #include <doctest/doctest.h>
 
 #include <hearth/core/lattice.hpp>
@@ -14,7 +12,9 @@
 
 #include "support/beds.hpp"
 #include "support/box_mesh.hpp"
+#include "support/darcy.hpp"
 #include "support/packing.hpp"
+#include "support/polyhedra.hpp"
 #include "support/random.hpp"
 
 namespace {
@@ -23,55 +23,57 @@ using namespace hearth::test;
 using hearth::point;
 using hearth_test::seeded;
 
-/// Permeability of a lattice along z with Carman and Kozeny's (1 - s)^3 / s^2 in each cell, over that of its mean solid
-/// fraction: Darcy's equation with fixed pressures below and above, harmonic means at faces.
-double relative_permeability(const hearth::lattice& mesh, const std::vector<double>& solid) {
-    const auto n = static_cast<int>(solid.size());
-    const int layer = mesh.cells[0] * mesh.cells[1];
-    const auto carman_kozeny = [](double s) { return std::pow(1 - s, 3) / (s * s); };
-    double mean = 0;
-    std::vector<double> k;
-    for (const double s : solid) {
-        mean += s / n;
-        k.push_back(carman_kozeny(s));
-    }
-    const auto at = [&](int c) { return k[static_cast<std::size_t>(c)]; };
-    std::vector<Eigen::Triplet<double>> entries;
-    Eigen::VectorXd source = Eigen::VectorXd::Zero(n);
-    hearth::lattice open = mesh;
-    open.periodic[2] = false;
-    hearth::mesh_traits<hearth::lattice>::for_each_face(open, [&](int a, int b, double, double conductance) {
-        const double g = conductance * 2 * at(a) * at(b) / (at(a) + at(b));
-        for (const auto& [i, j, v] : {std::tuple{a, a, g}, {b, b, g}, {a, b, -g}, {b, a, -g}})
-            entries.emplace_back(i, j, v);
-    });
-    const double end = 2 * mesh.spacing[0] * mesh.spacing[1] / mesh.spacing[2];
-    for (int c = 0; c < layer; ++c) {
-        entries.emplace_back(c, c, end * at(c));
-        source[c] += end * at(c);
-        entries.emplace_back(n - 1 - c, n - 1 - c, end * at(n - 1 - c));
-    }
-    Eigen::SparseMatrix<double> matrix(n, n);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> solver(matrix);
-    solver.setTolerance(1e-8);
-    const Eigen::VectorXd pressure = solver.solve(source);
-    double flow = 0;
-    for (int c = 0; c < layer; ++c) flow += end * at(c) * (1 - pressure[c]);
-    const double through_mean =
-        layer * mesh.spacing[0] * mesh.spacing[1] / (mesh.cells[2] * mesh.spacing[2]) * carman_kozeny(mean);
-    return flow / through_mean;
-}
-
 /// An odd stride that leaves about so many cells.
 int stride_for(const std::vector<double>& field, int cells) {
     return std::max(1, static_cast<int>(field.size()) / cells) | 1;
 }
 
+/// Largest rms error [-] of the filtered fraction allowed at a number of cells to the diameter.
+const std::vector<std::pair<double, double>> bars{{0.5, 0.045}, {1, 0.03}, {2, 0.015}, {4, 0.005}, {8, 0.005}};
+
+/// The bar between them, straight in logarithms.
+double bar_at(double per_diameter) {
+    if (per_diameter <= bars.front().first) return bars.front().second;
+    for (std::size_t k = 1; k < bars.size(); ++k) {
+        if (per_diameter > bars[k].first) continue;
+        const double way = std::log(per_diameter / bars[k - 1].first) / std::log(bars[k].first / bars[k - 1].first);
+        return bars[k - 1].second * std::pow(bars[k].second / bars[k - 1].second, way);
+    }
+    return bars.back().second;
+}
+
+/// Rms error of the filtered fraction over about so many cells of any mesh, weighted with their volumes, and that of
+/// which each cell had the bar of a lattice of its size.
+struct mesh_error {
+    double measured = 0, allowed = 0;
+};
+
+/// truth(cell): mean of the truth over it; side(cell): of the lattice with which it is compared [m].
+template <class Mesh, class Truth, class Side>
+mesh_error error_on(const Mesh& mesh, const packing& bed, const Truth& truth, const Side& side, int cells) {
+    using traits = hearth::mesh_traits<Mesh>;
+    std::vector<double> field(static_cast<std::size_t>(traits::cell_count(mesh)));
+    const auto report = hearth::filtered_solid_fraction(mesh, bed, field);
+    CHECK(report.cap.smoothed_cells == 0);
+    CHECK(report.zeroed_cells == 0);
+    CHECK(solid_volume(mesh, field) == doctest::Approx(bed.volume()).epsilon(1e-13));
+    mesh_error squares;
+    double volumes = 0;
+    const int stride = stride_for(field, cells);
+    for (int c = 0; c < traits::cell_count(mesh); c += stride) {
+        const double volume = traits::volume(mesh, c), error = field[static_cast<std::size_t>(c)] - truth(c);
+        const double allowed = bar_at(mean_diameter(bed) / side(c));
+        squares.measured += error * error * volume;
+        squares.allowed += allowed * allowed * volume;
+        volumes += volume;
+    }
+    return {std::sqrt(squares.measured / volumes), std::sqrt(squares.allowed / volumes)};
+}
+
 }  // namespace
 
 TEST_CASE("packing: the beds of the tests are what they say") {
-    for (const named_bed& b : several_beds()) {
+    for (const named_bed& b : several_beds(6, 401)) {
         CAPTURE(b.name);
         CHECK(largest_overlap(b.bed) < 0.01);
         CHECK(b.bed.solid_fraction() > (b.name[0] == 'd' ? 0.53 : 0.34));
@@ -97,9 +99,9 @@ TEST_CASE("exact overlap: boxes that fill space hold the whole sphere, and a cor
 }
 
 TEST_CASE("filtered fraction: is the bed's indicator under a Gaussian of half a diameter, at every size of cell") {
-    // Bars of the library, from the six beds; the wave of the paper at 0.9 has 0.09, 0.20, 0.31, 0.35, 0.38.
-    const std::vector<std::pair<double, double>> bars{{0.5, 0.045}, {1, 0.03}, {2, 0.015}, {4, 0.005}, {8, 0.005}};
-    for (const named_bed& b : several_beds()) {
+    // On these beds and on those of seeds 101 and 201 the largest errors are 0.018, 0.025, 0.012, 0.003, 0.002.  The
+    // wave of the paper at 0.9 has 0.09, 0.20, 0.31, 0.35, 0.38.
+    for (const named_bed& b : several_beds(6, 401)) {
         CAPTURE(b.name);
         const auto gauss = gauss_truth(b.bed);
         const auto ball = ball_truth(b.bed);
@@ -113,39 +115,75 @@ TEST_CASE("filtered fraction: is the bed's indicator under a Gaussian of half a 
             CHECK(report.zeroed_cells == 0);
             CHECK(report.width == doctest::Approx(0.5 * mean_diameter(b.bed)).epsilon(1e-14));
             CHECK(solid_volume(mesh, field) == doctest::Approx(b.bed.volume()).epsilon(1e-13));
-            CHECK(rms_error(mesh, b.bed, field, gauss, 0, stride_for(field, 400)) <= bar);
-            // The ball of equal variance differs from the Gaussian itself, by 0.020 in dense beds and 0.035 in loose
-            // ones, which have more to filter.
-            if (per_diameter >= 2) {
-                CHECK(rms_error(mesh, b.bed, field, ball, 2, stride_for(field, 2000)) <=
-                      (b.name[0] == 'd' ? 0.03 : 0.04));
+            const int stride = stride_for(field, per_diameter < 2 ? 400 : 1000);
+            const auto ours = every(field, stride), exact = means_over(mesh, gauss, stride);
+            CHECK(rms_difference(mesh, b.bed, ours, exact, stride) <= bar);
+
+            // Against the ball of equal variance, away from walls.
+            if (per_diameter < 2) continue;
+            const auto in_balls = means_over(mesh, ball, stride);
+            const double between_truths = rms_difference(mesh, b.bed, exact, in_balls, stride, 2);
+            const double error = rms_difference(mesh, b.bed, ours, in_balls, stride, 2);
+            CAPTURE(between_truths);
+            CHECK(error <= between_truths + bar);
+            if (b.name[0] == 'd') {
+                CHECK(error <= 0.03);
+            } else {
+                // Loose beds have more to filter: there the exact answer to the first bar is itself 0.030 to 0.036 from
+                // the ball on fine cells, so that who comes nearer to the ball leaves the Gaussian.
+                CHECK(error <= 0.04);
+                if (per_diameter >= 4) CHECK(between_truths > 0.028);
             }
         }
     }
 }
 
-TEST_CASE("filtered fraction: the permeability of a random bed stays near that of its mean") {
-    const std::array<bool, 3> walls{false, false, false}, free{true, true, true};
-    for (const packing& bed :
-         {make_packing({0.56, {9, 9, 9}, 0, walls, 21}), make_packing({0.60, {6, 6, 6}, 0, free, 22}),
-          make_packing({0.60, {6, 6, 6}, 0.4, free, 23})}) {
+TEST_CASE("filtered fraction: the permeability of a random bed is that of its exact filtered indicator") {
+    // Over that of the mean fraction, 1 to 8 cells to the diameter, the exact field has 1.000 to 1.073 in dense beds
+    // and 1.04 to 1.7 in loose ones: that is the bed's own.  What the error e of a field adds to the spread t of the
+    // exact one changes  ln K = <ln k> + var(ln k) / 6  (second order, isotropic: Landau and Lifshitz, Electrodynamics
+    // of Continuous Media, section 9) by at most  (l'^2 / 6 + |l''| / 2) (e^2 + 2 e t),  l = ln k = 3 ln(1 - s) - 2 ln
+    // s.
+    int beds = 0;
+    for (const named_bed& b : several_beds(6, 401)) {
+        CAPTURE(b.name);
+        const auto truth = gauss_truth(b.bed);
+        const bool dense = b.name[0] == 'd';
+        const double s = b.bed.solid_fraction(), v = 1 - s;
+        const double slope = 3 / v + 2 / s, curvature = std::abs(2 / (s * s) - 3 / (v * v));
+        ++beds;
         for (const double per_diameter : {1.0, 2.0, 4.0, 8.0}) {
-            if (per_diameter > 4 && bed.size[0] > 6) continue;  // a matter of minutes; the field is that of 4, to 0.003
-            CAPTURE(bed.size[0]);
+            if (per_diameter > 2 && beds != 2 && beds != 4) continue;  // seconds each
+            if (per_diameter > 4 && !dense) continue;
             CAPTURE(per_diameter);
-            const hearth::lattice mesh = lattice_over(bed, per_diameter);
-            std::vector<double> field(static_cast<std::size_t>(mesh.count()));
-            hearth::filtered_solid_fraction(mesh, bed, field);
-            const double ratio = relative_permeability(mesh, field);
-            CHECK(ratio >= 1.00);
-            CHECK(ratio <= 1.07);
+            const hearth::lattice mesh = lattice_over(b.bed, per_diameter);
+            std::vector<double> field(static_cast<std::size_t>(mesh.count())), exact;
+            hearth::filtered_solid_fraction(mesh, b.bed, field);
+            if (per_diameter > 4) {
+                for (int c = 0; c < mesh.count(); ++c)
+                    exact.push_back(truth.at(hearth::mesh_traits<hearth::lattice>::centre(mesh, c)));
+            } else {
+                exact = means_over(mesh, truth);
+            }
+            const double error = rms_difference(mesh, b.bed, field, exact, 1);
+            const double spread = rms_difference(mesh, b.bed, exact, std::vector<double>(exact.size(), s), 1);
+            const double over_mean = relative_permeability(mesh, field);
+            const double over_exact = over_mean / relative_permeability(mesh, exact);
+            CAPTURE(over_mean);
+            CHECK(std::abs(std::log(over_exact)) <= (slope * slope / 6 + curvature / 2) * error * (error + 2 * spread));
+            CHECK(std::abs(over_exact - 1) <= (per_diameter > 1 ? 0.015 : 0.04));
+            // 1.00 to 1.07 over the mean is what dense beds without walls have.  Along walls the exact field itself has
+            // up to 1.073, and cells as large as the spheres bring that down to as little as 0.96.
+            if (dense && b.bed.periodic[0]) CHECK((over_mean >= 0.995 && over_mean <= 1.07));
         }
     }
 }
 
-TEST_CASE("filtered fraction: on graded meshes and with hanging faces the error is nearly as small") {
+TEST_CASE(
+    "filtered fraction: on graded meshes and with hanging faces each cell has the error of a lattice of its longest "
+    "side") {
     for (const bool free : {false, true}) {
-        const packing bed = make_packing({free ? 0.35 : 0.5, {6, 6, 6}, 0.2, {free, free, free}, 31});
+        const packing bed = make_packing({free ? 0.35 : 0.5, {6, 6, 6}, 0.2, {free, free, free}, 131});
         const auto truth = gauss_truth(bed);
         for (const double per_diameter : {0.5, 1.0, 2.0, 4.0}) {
             const int n = static_cast<int>(6 * per_diameter);
@@ -158,20 +196,47 @@ TEST_CASE("filtered fraction: on graded meshes and with hanging faces the error 
                 CAPTURE(free);
                 CAPTURE(per_diameter);
                 CAPTURE(mesh == &graded);
-                std::vector<double> field(static_cast<std::size_t>(mesh->size()));
-                hearth::filtered_solid_fraction(*mesh, bed, field);
-                CHECK(solid_volume(*mesh, field) == doctest::Approx(bed.volume()).epsilon(1e-13));
-                double squares = 0, volumes = 0;
-                const auto stride = static_cast<std::size_t>(stride_for(field, 400));
-                for (std::size_t c = 0; c < field.size(); c += stride) {
-                    const int points = mesh->extents[c][0] > 1.5 ? 8 : mesh->extents[c][0] > 0.6 ? 5 : 3;
-                    const double error = field[c] - truth.mean(mesh->centres[c], mesh->extents[c], points);
-                    squares += error * error * mesh->volume(static_cast<int>(c));
-                    volumes += mesh->volume(static_cast<int>(c));
-                }
-                // The bars of the lattice for the coarsest cells, twice as large as the mean; across hanging faces the
-                // centres are not opposite, which two-point conductances cannot know.
-                CHECK(std::sqrt(squares / volumes) < (per_diameter > 3 ? 0.015 : per_diameter > 0.7 ? 0.03 : 0.045));
+                const auto error = error_on(
+                    *mesh, bed,
+                    [&](int c) {
+                        const point& extent = mesh->extents[static_cast<std::size_t>(c)];
+                        return truth.mean(mesh->centres[static_cast<std::size_t>(c)], extent, points_for(extent[0]));
+                    },
+                    [&](int c) {
+                        const point& extent = mesh->extents[static_cast<std::size_t>(c)];
+                        return *std::max_element(extent.begin(), extent.end());
+                    },
+                    500);
+                CHECK(error.measured <= error.allowed);
+            }
+        }
+    }
+}
+
+TEST_CASE("filtered fraction: on polyhedra the error is that of a lattice, on tetrahedra up to twice that") {
+    using cells = polyhedral_mesh::cells;
+    for (const double fraction : {0.35, 0.5}) {
+        const packing bed = make_packing({fraction, {6, 6, 6}, 0.2, {false, false, false}, 132});
+        const auto truth = gauss_truth(bed);
+        for (const cells kind : {cells::tetrahedra, cells::polyhedra}) {
+            for (const int per_side :
+                 kind == cells::tetrahedra ? std::vector<int>{3, 5, 10} : std::vector<int>{5, 10, 20}) {
+                CAPTURE(fraction);
+                CAPTURE(per_side);
+                CAPTURE(kind == cells::tetrahedra);
+                const polyhedral_mesh mesh(kind, 6, per_side);
+                const auto error = error_on(
+                    mesh, bed,
+                    [&](int c) {
+                        double sum = 0;
+                        const auto cell = static_cast<std::size_t>(c);
+                        for (const auto& part : mesh.pieces[cell]) sum += part.volume * truth.at(part.centroid);
+                        return sum / mesh.volumes[cell];
+                    },
+                    [&](int c) { return std::cbrt(mesh.volumes[static_cast<std::size_t>(c)]); }, 500);
+                // The lines between the centres of tetrahedra lean 13 degrees on average, those of polyhedra 9 to 11.
+                CHECK(mesh.mean_lean() > 0.13);
+                CHECK(error.measured <= (kind == cells::tetrahedra ? 2 : 1) * error.allowed);
             }
         }
     }
@@ -179,7 +244,7 @@ TEST_CASE("filtered fraction: on graded meshes and with hanging faces the error 
 
 TEST_CASE("filtered fraction: a particle moved by a millionth of a cell moves the field by no more") {
     for (const double per_diameter : {0.3, 0.5, 1.0, 1.8, 4.0}) {
-        packing bed = make_packing({0.5, {4, 4, 4}, 0.2, {false, false, false}, 41});
+        packing bed = make_packing({0.5, {4, 4, 4}, 0.2, {false, false, false}, 141});
         const hearth::lattice mesh = lattice_over(bed, per_diameter);
         const hearth::cell_graph graph(mesh);
         const hearth::cell_locator locator(mesh, graph);
@@ -205,6 +270,71 @@ TEST_CASE("filtered fraction: a particle moved by a millionth of a cell moves th
             CHECK(change * hearth::mesh_traits<hearth::lattice>::volume(mesh, 0) <= 1e-4 * volume);
             bed.positions[p] = there;
         }
+    }
+}
+
+TEST_CASE("filtered fraction: where the cap works the field jumps when a cell comes to the threshold") {
+    // A particle goes one cell along an axis; of its way the part in which the field changes most is halved until it is
+    // a millionth of a cell.  By own search over more beds the largest jumps are, in volumes of the particle, 0.19 at a
+    // threshold 0.05 above the mean and 0.35 at 0.02; where the cap is idle 4e-6, and of the paper's method 1.48 (at
+    // d/dx 2, deposit by centre).
+    for (const double above_mean : {1.0, 0.05}) {
+        packing bed = make_packing({0.5, {4, 4, 4}, 0.2, {false, false, false}, 141});
+        const hearth::lattice mesh = lattice_over(bed, 1.8);
+        const hearth::cell_graph graph(mesh);
+        const hearth::cell_locator locator(mesh, graph);
+        const double threshold = std::min(0.74, bed.solid_fraction() + above_mean);
+        hearth::transfer_operator<hearth::lattice> transfer(locator, {std::nullopt, threshold});
+        const auto field_at = [&](double& coordinate, double x) {
+            std::vector<double> field(static_cast<std::size_t>(mesh.count()));
+            coordinate = x;
+            transfer.distribute(bed, field);
+            return field;
+        };
+        double largest = 0;
+        seeded random(142);
+        for (int i = 0; i < 12; ++i) {
+            const std::size_t p = random.index(bed.radii.size()), axis = random.index(3);
+            double& coordinate = bed.positions[p][axis];
+            const double start = coordinate, step = mesh.spacing[axis];
+            const double volume = 4.0 / 3 * 3.14159265358979323846 * std::pow(bed.radii[p], 3);
+            const auto change = [&](const std::vector<double>& a, const std::vector<double>& b) {
+                double sum = 0;
+                for (std::size_t c = 0; c < a.size(); ++c) sum += std::abs(a[c] - b[c]);
+                return sum * hearth::mesh_traits<hearth::lattice>::volume(mesh, 0) / volume;
+            };
+            double low = std::min(start, 4 - step), high = low;
+            std::vector<double> at_low, at_high, before = field_at(coordinate, low);
+            const double first = low;
+            double most = -1;
+            for (int k = 1; k <= 32; ++k) {
+                auto after = field_at(coordinate, first + step * k / 32);
+                if (change(before, after) > most) {
+                    most = change(before, after);
+                    low = first + step * (k - 1) / 32;
+                    high = first + step * k / 32;
+                    at_low = before;
+                    at_high = after;
+                }
+                before = std::move(after);
+            }
+            while (high - low > 1e-6 * step) {
+                const double middle = 0.5 * (low + high);
+                auto between = field_at(coordinate, middle);
+                if (change(at_low, between) > change(between, at_high)) {
+                    high = middle;
+                    at_high = std::move(between);
+                } else {
+                    low = middle;
+                    at_low = std::move(between);
+                }
+            }
+            largest = std::max(largest, change(at_low, at_high));
+            coordinate = start;
+        }
+        MESSAGE("threshold " << threshold << ": largest jump " << largest << " volumes of the particle");
+        CHECK(largest <= (above_mean == 1.0 ? 1e-4 : 0.4));
+        if (above_mean < 1.0) CHECK(largest > 1e-3);  // or the search found none
     }
 }
 

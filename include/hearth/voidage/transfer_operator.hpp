@@ -29,7 +29,9 @@ struct filtered_fraction_settings {
     /// closures' porosity is meant.  A bed of two sizes apart in space may want two operators.
     std::optional<double> width;
     /// Largest solid fraction of a cell [-]; what is above goes to the neighbours.  The densest packing of spheres has
-    /// 0.74.
+    /// 0.74; in random beds the kernel leaves nothing above that.  Where the cap works, a cell that comes to the threshold
+    /// makes the field jump, as nothing else does: by at most 0.2 of the moving particle's volume at a threshold 0.05
+    /// above the mean, 0.35 at 0.02 (own search).
     double threshold = 0.74;
     /// Of the kernel's series, see kernel_smoother.
     double tolerance = 1e-5;
