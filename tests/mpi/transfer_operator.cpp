@@ -95,9 +95,8 @@ TEST_CASE("transfer operator: a particle outside the mesh is refused on every ra
     for (const double fraction : field) CHECK(fraction == 0.25);
 }
 
-TEST_CASE(
-    "transfer operator: a rank holds and visits no more than its cells, its halo and the particles that touch them") {
-    // Slabs: the particles that reach a slab are those within a diameter and two cells of it.
+TEST_CASE("transfer operator: a rank holds and visits no more than its cells and particles near them ask for") {
+    // Slabs of 16 cells and 8 diameters: a rank that knew all would hold `ranks` times as much as one that is alone.
     const hearth::mpi::communicator communicator;
     const int ranks = communicator.size();
     const box_mesh mesh({graded_planes(8.0 * ranks, 16 * ranks, 1), graded_planes(4, 8, 1), graded_planes(4, 8, 1)},
@@ -109,6 +108,10 @@ TEST_CASE(
     const packing_share cloud(bed, communicator.rank(), ranks, 2);
     const hearth::cell_graph graph(share, communicator);
     const hearth::cell_locator locator(share, graph);
+    const auto cells = static_cast<std::size_t>(graph.cell_count());
+    CHECK(cells == 16 * 64);
+    CHECK(static_cast<std::size_t>(graph.total_count()) <= cells + 2 * 64);  // a layer of ghosts on two sides
+
     const hearth::visitors<hearth::mpi::communicator> here(locator, cloud);
     // Within 8 + 2 * (radius 0.5 + two extents of 0.5) of 8 * ranks, and a few more by chance of the packing.
     const double share_of_bed = std::min(1.0, (8 + 2 * 1.5) / (8.0 * ranks));
@@ -116,4 +119,21 @@ TEST_CASE(
     const hearth::footprints<hearth::mpi::communicator> footprints(locator, cloud, hearth::deposit::ramp{});
     // At d/dx 2 a particle touches the cells within 0.5 + 0.625 * 0.5 of it: 70 on average, 100 at most.
     CHECK(footprints.entry_count() <= 100 * here.size());
+
+    // Cells that a deposit looks at, in whole bins of half a diameter: those within 0.5 + 1 * 0.5, and what is left of
+    // a bin on either side, 6^3, when it looks for the nearest; no more when it gives the shares.
+    std::size_t visits = 0;
+    const auto look = [&](std::int32_t, const hearth::point&, const hearth::point&) { ++visits; };
+    for (const hearth::visitor& v : here) locator.for_each_near(v.position, v.radius, 1, look);
+    CHECK(visits <= 216 * here.size());
+
+    // Bytes: 60 a cell and a rank to find cells, 16 a cell for the smoother, 48 for the cap and 20 for its log, 8 for a
+    // work vector; 8 an entry and 8 * 16 a particle here or visiting, and twice that while vectors grow.
+    CHECK(locator.memory() <= 80 * cells + 64 * static_cast<std::size_t>(ranks) + 1000);
+    hearth::transfer_operator<box_share, hearth::mpi::communicator> transfer(locator);
+    std::vector<double> field(cells);
+    transfer.distribute(cloud, field);
+    const std::size_t particles = here.size() + here.owned_count();
+    CHECK(transfer.memory() <= 100 * static_cast<std::size_t>(graph.total_count()) +
+                                   2 * (8 * footprints.entry_count() + 128 * particles) + 1000);
 }

@@ -50,8 +50,8 @@ struct kernel_settings {
 ///
 /// On polyhedra whose lines of centres lean against their faces the kernel is a Gaussian of nearly that width, however
 /// fine the mesh.  The rms error of a filtered solid fraction at four cells to the diameter is 0.002 to 0.003 on a
-/// lattice, 0.004 on polyhedra that lean 9 degrees on average, 0.007 to 0.009 on tetrahedra that lean 13, and 0.016 where all lean
-/// 25 degrees the same way.
+/// lattice, 0.004 on polyhedra that lean 9 degrees on average, 0.007 to 0.009 on tetrahedra that lean 13, and 0.016
+/// where all lean 25 degrees the same way.
 ///
 /// Needs a mesh with faces (conductances).  Not to be shared by threads: smooth() uses the work vectors.
 template <class Communicator = serial_communicator>
