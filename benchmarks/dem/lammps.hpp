@@ -26,11 +26,10 @@ class lammps {
 
     static const char* name(kind which) { return which == kind::lammps ? "LAMMPS" : "LIGGGHTS"; }
 
+    static bool installed(kind which) { return load(which) != nullptr; }
+
     /// Throws std::runtime_error where the library cannot be loaded.
-    explicit lammps(kind which) : kind_(which) {
-        // Its plugins look for the symbols of MPI among the global ones.
-        dlopen("libmpi.so.40", RTLD_NOW | RTLD_GLOBAL);
-        library_ = dlopen(which == kind::lammps ? "liblammps.so.0" : "libliggghts.so.3", RTLD_NOW | RTLD_LOCAL);
+    explicit lammps(kind which) : kind_(which), library_(load(which)) {
         if (!library_) throw std::runtime_error(std::string(name(which)) + " is not installed");
         const auto open = find<void (*)(int, char**, void**)>("lammps_open_no_mpi");
         command_ = find<char* (*)(void*, const char*)>("lammps_command");
@@ -129,6 +128,10 @@ class lammps {
     }
 
   private:
+    static void* load(kind which) {
+        dlopen("libmpi.so.40", RTLD_NOW | RTLD_GLOBAL);  // whose plugins look for its symbols among the global ones
+        return dlopen(which == kind::lammps ? "liblammps.so.0" : "libliggghts.so.3", RTLD_NOW | RTLD_LOCAL);
+    }
     template <class Function>
     Function find(const char* symbol) const {
         void* const found = dlsym(library_, symbol);
@@ -146,7 +149,7 @@ class lammps {
     }
 
     kind kind_;
-    void* library_ = nullptr;
+    void* library_;
     void* handle_ = nullptr;
     char* (*command_)(void*, const char*) = nullptr;
     void* (*extract_)(void*, const char*) = nullptr;

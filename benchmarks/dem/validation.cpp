@@ -82,7 +82,7 @@ std::vector<double> heating_times(plate_bed& made, double cold, double hot) {
 
 /// The same vessel with parcels of k: conductivity of the core, heating from below, discharge.
 void parcels(std::ostream& out) {
-    const double radius = 22 * iron::diameter, column = 60 * iron::diameter;
+    const double radius = 18 * iron::diameter, column = 50 * iron::diameter;
     out << "k number solid contact film radiation all time_5_s time_10_s discharge_error seconds\n";
     for (const int k : {1, 2, 3, 4}) {
         const double began = cpu_seconds();
@@ -151,8 +151,8 @@ void beverloo(std::ostream& out) {
     struct run {
         double bin, hole, friction;
     };
-    for (const run& r : {run{14, 6, 0.5}, run{14, 8, 0.5}, run{24, 6, 0.5}, run{24, 8, 0.5}, run{24, 9.5, 0.5}, run{24, 8, 0.3},
-                         run{24, 8, 0.1}}) {
+    for (const run& r : {run{14, 6, 0.5}, run{14, 8, 0.5}, run{24, 6, 0.5}, run{24, 8, 0.5}, run{14, 8, 0.3},
+                         run{14, 8, 0.1}}) {
         const dem::bed_settings s = soft_settings(r.friction, 0.3);
         const double radius = r.bin * d / 2;
         bed b(s);

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""figures.py TABLES FOLDER: draws the figures of examples/solvers/README.md from the tables of dem_validation."""
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("svg")
+import matplotlib.pyplot as plt
+
+plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "svg.hashsalt": "hearth", "svg.fonttype": "none",
+                     "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False})
+BLUE, RED, GREEN, PINK, ORANGE, GREY = "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#777777"
+
+
+def table(path):
+    lines = [line.split() for line in path.read_text().splitlines() if not line.startswith("#")]
+    words = lines[0]
+    return [dict(zip(words, (word if not number(word) else float(word) for word in line))) for line in lines[1:]]
+
+
+def number(word):
+    try:
+        float(word)
+    except ValueError:
+        return False
+    return True
+
+
+def column(rows, name):
+    return [row[name] for row in rows]
+
+
+def conductivity(tables, to):
+    figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.4), width_ratios=(1.6, 1), layout="constrained")
+    rows = table(tables / "fig_3.txt")
+    kelvin = column(rows, "kelvin")
+    low, high = column(rows, "yk_low"), column(rows, "yk_high")
+    left.fill_between(kelvin, [0.75 * v for v in low], [1.25 * v for v in high], color=GREY, alpha=0.12, lw=0,
+                      label="25 % around it")
+    left.fill_between(kelvin, low, high, color=GREY, alpha=0.45, lw=0, label="Yagi and Kunii, Eq. 15")
+    left.plot(kelvin, column(rows, "zbs"), "--", color="black", lw=1, label="Zehner, Bauer, Schlünder")
+    left.plot(kelvin, column(rows, "all"), "o-", color=BLUE, ms=3.5, label="this bed")
+    for name, label, colour in (("radiation", "radiation", RED), ("film", "gas films", GREEN), ("contact", "contacts", ORANGE)):
+        left.plot(kelvin, column(rows, name), color=colour, lw=1.2, label=label)
+    left.set(xlabel="temperature [K]", ylabel="effective conductivity [W/(m K)]", xlim=(300, 1200), ylim=(0, 6),
+             title="Iron spheres of 11 mm in air")
+    left.legend(fontsize=8)
+
+    rows = table(tables / "exchange.txt")
+    known = [(0.57671, 1.06765), (0.59292, 1.04145), (0.61780, 1.00659), (0.63687, 0.97567)]
+    right.plot(*zip(*known), "k-", lw=1, label="view factors by rays")
+    right.plot(column(rows, "solid"), column(rows, "cutoff_2.5"), "o", color=BLUE, ms=5, label="list to 2.5 d")
+    right.plot(column(rows, "solid"), column(rows, "cutoff_4"), "s", color=RED, ms=5, mfc="none", label="list to 4 d")
+    right.set(xlabel="solid fraction [-]", ylabel="exchange factor $k_{rad} / 4 \\sigma d T^3$ [-]", ylim=(0.9, 1.15),
+              title="Radiation alone")
+    right.legend(fontsize=8)
+    figure.savefig(to, metadata={"Date": None})
+
+
+def accuracy(tables, to):
+    rows = table(tables / "sweeps.txt")
+    best = next(row for row in rows if row["what"] == "reference")
+    figure, axes = plt.subplots(1, 3, figsize=(8.4, 3.2), sharey=True, layout="constrained")
+    quantities = (("height", "bed height", BLUE, "o"), ("solid", "solid fraction", RED, "s"),
+                  ("floor_stress", "stress on the floor", GREEN, "^"), ("conductivity", "conductivity", ORANGE, "D"))
+    for axis, (what, title) in zip(axes, (("step", "step [s]"), ("skin", "skin over diameter [-]"),
+                                          ("modulus", "modulus of the motion [Pa]"))):
+        runs = [row for row in rows if row["what"] == what]
+        for name, label, colour, marker in quantities:
+            axis.scatter(column(runs, "seconds"), [100 * abs(row[name] / best[name] - 1) for row in runs], color=colour,
+                         marker=marker, s=22, label=label)
+        for row in runs:
+            axis.annotate(f"{row['value']:.3g}", (row["seconds"], 0.012), fontsize=7, ha="center", color=GREY)
+        axis.set(xscale="log", yscale="log", xlabel="run time [s]", title=title, ylim=(0.01, 100))
+    axes[0].set_ylabel("difference to the reference [%]")
+    axes[0].legend(fontsize=7)
+    figure.savefig(to, metadata={"Date": None})
+
+
+if __name__ == "__main__":
+    tables, folder = map(pathlib.Path, sys.argv[1:])
+    conductivity(tables, folder / "dem_conductivity.svg")
+    accuracy(tables, folder / "dem_accuracy.svg")
