@@ -2,25 +2,32 @@
 // The thermal network over ranks that are threads; tests/mpi/thermal_network.cpp does the same over MPI.
 #include "support/network_ranks.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
 
+#include <hearth/time/limits.hpp>
 #include <hearth/time/thermal_network.hpp>
+#include <hearth/transfer/links.hpp>
 
 #include "support/thread_communicator.hpp"
 
 using namespace hearth;
 using hearth::test::on_ranks;
 using hearth::test::thread_communicator;
+using hearth_test::seeded;
 
 TEST_CASE("thermal network: over ranks it is that of one rank, within bounds, and no joule is lost between them") {
-    for (const int ranks : {1, 2, 3, 5, 8}) {
+    // Threads that wait for each other take their time: more seeds on few ranks.
+    for (const int ranks : {1, 2, 3, 8}) {
         CAPTURE(ranks);
-        for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        for (std::uint64_t seed = 1; seed <= (ranks < 3 ? 8U : 3U); ++seed) {
             CAPTURE(seed);
             std::vector<std::string> wrong(static_cast<std::size_t>(ranks));
             on_ranks(ranks, [&](const thread_communicator& communicator) {
@@ -94,6 +101,49 @@ TEST_CASE("thermal network: what ranks disagree on is refused on each of them, b
     refused("first particle of pair", [](input& in, int r) { in.pairs[1].first = r == 0 ? 2 : 0; });
     refused("temperature of particle", [](input& in, int r) { in.temperature[0] *= r; });
     refused("number of temperatures", [](input& in, int r) { in.temperature.resize(r == 1 ? 1 : 2); });
+}
+
+TEST_CASE("links over ranks: explicit rates and the stable step are those of one rank") {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        CAPTURE(seed);
+        const hearth_test::shared_network whole(seed);
+        const auto no_wall = [](int) { return 300.0; };
+        const auto list = [](const std::vector<thermal_pair>& pairs) {
+            link_list<thermal_link<double>> links;
+            links.pairs = pairs;
+            links.close_part(0);
+            return links;
+        };
+        std::vector<double> expected(whole.mass.size(), 0.0), capacity = whole.mass;
+        (void)accumulate(list(whole.pairs), whole.temperature, no_wall, expected);
+        for (double& c : capacity) c *= 1000;
+        const double step = stable_step::network(whole.pairs, whole.baths, capacity, whole.temperature);
+        double largest = 0;
+        for (const double q : expected) largest = std::fmax(largest, std::fabs(q));
+
+        const int ranks = 3;
+        seeded random(seed);
+        std::vector<int> owners(whole.mass.size());
+        for (int& owner : owners) owner = static_cast<int>(random.index(ranks));
+        std::vector<double> steps(ranks), wrong(ranks);
+        on_ranks(ranks, [&](const thread_communicator& communicator) {
+            const auto r = static_cast<std::size_t>(communicator.rank());
+            const hearth_test::network_share share(whole, owners, communicator.rank(), seed);
+            const particle_halo<thread_communicator> halo(communicator, share.ids, share.ghosts);
+            std::vector<double> t = share.temperature, own = share.mass;
+            t.resize(t.size() + halo.ghost_count());
+            halo.gather(t);
+            std::vector<double> heat(t.size(), 0.0);
+            (void)accumulate(list(share.pairs), t, no_wall, heat);
+            for (double& c : own) c *= 1000;
+            steps[r] = stable_step::network(share.pairs, share.baths, own, t);
+            for (std::size_t k = 0; k < share.owned.size(); ++k)
+                wrong[r] = std::fmax(wrong[r], std::fabs(heat[k] - expected[share.owned[k]]));
+        });
+        // Sums of at most some tens of terms, in another order.
+        CHECK(*std::min_element(steps.begin(), steps.end()) == doctest::Approx(step).epsilon(1e-13));
+        for (const double w : wrong) CHECK(w <= 1e-13 * largest);
+    }
 }
 
 TEST_CASE("particle halo: ghosts in any order get their owners' values") {

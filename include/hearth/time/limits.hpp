@@ -51,11 +51,12 @@ HEARTH_FUNCTION Real pair(Real slope, Real first_capacity, Real second_capacity,
 /// Many particles that exchange heat with one another and with baths, explicit, near their own temperatures: from
 /// Gershgorin's bound of the spectrum.  Safe for any network; sharp (the bound is attained) where the particles of a
 /// closed island fall into two groups that touch each other only and all rates are equal.
-/// capacity[i] = m c_p / Gamma [J/K].
+/// capacity[i] = m c_p / Gamma [J/K].  Over ranks temperature holds the ghosts' behind the owned ones, and the least of
+/// the ranks' steps counts.
 template <class Link>
 double network(const std::vector<linked_pair<Link>>& pairs, const std::vector<heat_bath<double>>& baths,
                const std::vector<double>& capacity, const std::vector<double>& temperature) {
-    std::vector<double> own(capacity.size(), 0.0), bath(capacity.size(), 0.0);
+    std::vector<double> own(temperature.size(), 0.0), bath(capacity.size(), 0.0);
     for (std::size_t i = 0; i < baths.size(); ++i)
         bath[i] = baths[i].conductance + 4.0 * baths[i].radiation * std::pow(temperature[i], 3);
     for (const linked_pair<Link>& pair : pairs) {

@@ -33,7 +33,6 @@ class network_system {
     struct outcome {
         int iterations = 0;
         double error = 0.0;  ///< no temperature is farther from the solution than this [K]
-        double residual = 0.0;
         bool converged = true;
     };
 

@@ -70,6 +70,8 @@ struct link_ledger {
 };
 
 /// Adds the heat rates of a list to heat[i] [W], by plain rates without Gamma.  wall_temperature(patch) [K].
+/// Where pairs reach to ghosts, temperature and heat hold these behind the owned particles; their heat is to be thrown
+/// away, because their owner lists the pair too.
 /// Returns a ledger for each term of the list.
 template <class Link, class Temperature, class WallTemperature>
 std::vector<link_ledger> accumulate(const link_list<Link>& links, const Temperature& temperature,
