@@ -41,4 +41,19 @@ void from_flat(const std::vector<double>& flat, Item& item) {
     }
 }
 
+/// Bytes in the bits of numbers; the first number says how many.
+inline std::vector<double> to_numbers(const std::vector<char>& bytes) {
+    std::vector<double> numbers(1 + (bytes.size() + sizeof(double) - 1) / sizeof(double), 0.0);
+    numbers[0] = static_cast<double>(bytes.size());
+    if (!bytes.empty()) std::memcpy(numbers.data() + 1, bytes.data(), bytes.size());
+    return numbers;
+}
+
+inline std::vector<char> to_bytes(const std::vector<double>& numbers) {
+    if (numbers.empty() || numbers[0] < 0 || numbers[0] > static_cast<double>((numbers.size() - 1) * sizeof(double))) return {};
+    std::vector<char> bytes(static_cast<std::size_t>(numbers[0]));
+    if (!bytes.empty()) std::memcpy(bytes.data(), numbers.data() + 1, bytes.size());
+    return bytes;
+}
+
 }  // namespace hearth::furnace

@@ -2,8 +2,8 @@
 // The column furnace (scene S4): everything thermal, mixed-is-burnt, a plug-flow bed; coarse, so that it runs in seconds.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <hearth/furnace/furnace.hpp>
 
@@ -11,53 +11,81 @@ using namespace hearth::furnace;
 
 namespace {
 
+/// A fifth of the shaft's diameter, so that few parcels will do: fluxes and losses per mass are those of the paper.
 settings coarse_column() {
     settings scene;
+    scene.title = "coarse column";
+    scene.shaft.diameter = 0.17;
+    scene.shaft.hopper_height = 0;
+    scene.shaft.zones = {{0, 10, 3 * 0.2, 320}};
+    for (double* flow : {&scene.particles.mass_flow, &scene.air.volume_flow, &scene.burners.mass_flow}) *flow *= 0.04;
+    scene.burners.feed = burner_feed::section;
+    scene.bed.packing = bed_packing::lattice;
     scene.bed.motion = bed_motion::plug;
+    scene.bed.coarse_graining = 2.2;
     scene.physics.combustion = burning::mixed_is_burnt;
-    scene.bed.coarse_graining = 6;
-    scene.mesh.across = 6;
+    scene.mesh.across = 4;
     scene.mesh.axial_size = 0.12;
     scene.mesh.axial_size_bottom = 0.04;
     scene.mesh.axial_size_burners = 0.05;
-    scene.time.couplings = 24;
-    scene.time.residence_times = 0.3;
+    scene.time.couplings = 12;
+    scene.time.residence_times = 0.06;
+    scene.time.balance_tolerance = 1;
     return scene;
+}
+
+/// Without what a clock tells.
+saved_state timeless(saved_state state) {
+    for (auto at = state.begin(); at != state.end();) at = at->first.compare(0, 8, "seconds/") == 0 ? state.erase(at) : std::next(at);
+    return state;
+}
+
+void run_couplings(furnace& shaft, int count) {
+    while (shaft.current() == phase::fill || shaft.current() == phase::ignite) shaft.step();
+    for (int k = 0; k < count; ++k) shaft.step();
 }
 
 }  // namespace
 
-TEST_CASE("column: heat is kept between gas, stones and wall, and nothing leaves the range of what enters and burns") {
+TEST_CASE("column: heat and mass are kept between gas, stones and wall, and nothing leaves the range of what enters and burns") {
     const settings scene = coarse_column();
     furnace shaft(scene);
-    while (!shaft.done()) shaft.step();
+    run_couplings(shaft, 12);
     const status end = shaft.now();
-    // The bed holds the scene's solid, to the last parcel.
+    const summary books = shaft.summarise();
+    // The bed holds the scene's solid.
     CHECK(end.mean_void_fraction == doctest::Approx(scene.bed.void_fraction).epsilon(1e-3));
-    // What fuel brings leaves with gas and stones, through the wall, or is stored.  The gas is iterated to 1e-3 of that.
-    CHECK(std::abs(end.enthalpy_imbalance) < 5e-3 * end.fuel_power);
-    CHECK(end.fuel_power == doctest::Approx(571e3).epsilon(0.01));  // 0.207 kg/s of stoichiometric CH4 and air, 50 MJ/kg of CH4
+    // What fuel brings leaves with gas and stones, through the wall, or is stored.
+    CHECK(std::abs(*books.enthalpy_audit) < 1e-3 * end.fuel_power);
+    CHECK(std::abs(*books.gas_mass_imbalance) < 5e-3 * 0.04 * 0.925);
+    CHECK(std::abs(*books.solid_mass_imbalance) < 1e-12);  // who leaves is fed anew at once
+    CHECK(*books.element_imbalance < 1e-6);
+    CHECK(end.fuel_power == doctest::Approx(0.04 * 571e3).epsilon(0.01));  // 0.207 kg/s of stoichiometric CH4 and air, 50 MJ/kg of CH4
     const snapshot seen = shaft.look();
     for (const double t : seen.particle_temperature) {
         CHECK(t >= 300 - 1e-6);
         CHECK(t <= 2700);  // CH4 in air preheated to 1000 K burns at 2670 K
     }
     for (const double t : seen.gas_temperature) CHECK(t >= 300 - 1e-6);
-    // 67 kPa in the paper; the column starts from the one-dimensional solution, 66 kPa, and stays near it.
-    CHECK(end.pressure_drop == doctest::Approx(shaft.profile().pressure_drop).epsilon(0.15));
-    // The hottest stones were at the burners, 8 m, within the 3 m that the bed has sunk.
-    CHECK(end.peak_height < 8.2);
-    CHECK(end.peak_height > 5);
+    // 67 kPa in the paper; the column starts from the one-dimensional solution and stays near it.
+    CHECK(end.pressure_drop == doctest::Approx(shaft.profile().pressure_drop).epsilon(0.08));
+    CHECK(end.peak_height == doctest::Approx(8).epsilon(0.03));
+    CHECK(end.peak_particle_temperature == doctest::Approx(shaft.profile().peak_particle_temperature).epsilon(0.03));
+    // The paper's range of heat transfer, 120 to 300, with a tenth on either side.
+    CHECK(*books.heat_transfer_coefficient_p05 > 108);
+    CHECK(*books.heat_transfer_coefficient_p95 < 330);
+    // 21 % oxygen in 0.718 kg/s of air beside stoichiometric gas: 0.1493 of the dry gas.
+    CHECK(*books.oxygen_dry_outlet == doctest::Approx(0.158).epsilon(0.05));
+    CHECK(*books.methane_outlet == 0);
+    CHECK_FALSE(books.product_share_above_2130_K.has_value());  // nobody who was watched from the feed has left yet
 }
 
 TEST_CASE("column: the same bits from the same scene, and Gamma changes nothing in a bed that moves as a plug") {
     settings scene = coarse_column();
-    scene.time.couplings = 4;
-    scene.time.residence_times = 0.05;
     const auto run = [&](double acceleration_factor) {
         scene.time.acceleration_factor = acceleration_factor;
         furnace shaft(scene);
-        while (!shaft.done()) shaft.step();
+        run_couplings(shaft, 3);
         return shaft.look().particle_temperature;
     };
     const auto first = run(512), again = run(512), slow = run(64);  // powers of two, so that Gamma cancels without rounding
@@ -67,49 +95,43 @@ TEST_CASE("column: the same bits from the same scene, and Gamma changes nothing 
 
 TEST_CASE("column: without fuel it cools towards what enters; a scene that it cannot run is refused") {
     settings scene = coarse_column();
-    scene.time.couplings = 6;
     furnace shaft(scene);
+    run_couplings(shaft, 0);
     const double before = shaft.now().peak_particle_temperature;
     shaft.set_burner_flow(0);
-    while (!shaft.done()) shaft.step();
+    run_couplings(shaft, 6);
     CHECK(shaft.now().peak_particle_temperature < before);
     CHECK(shaft.now().maximum_gas_temperature < before);
+    CHECK_THROWS_AS(shaft.set_burner_flow(-1), bad_scene);
     scene.bed.motion = bed_motion::dem;
     CHECK_THROWS_AS(furnace{scene}, bad_scene);
 }
 
 TEST_CASE("column: a furnace that restores a state goes on as the one that saved it, bit for bit") {
-    settings scene = coarse_column();
-    scene.time.couplings = 6;
-    scene.time.residence_times = 0.05;
+    const settings scene = coarse_column();
     furnace first(scene);
-    for (int k = 0; k < 2; ++k) first.step();
-    first.set_burner_flow(0.15);
+    run_couplings(first, 2);
+    first.set_burner_flow(0.006);
     first.step();
     const saved_state saved = first.save();
     furnace second(scene);
     second.restore(saved);
     CHECK(second.steps_done() == 3);
     CHECK(second.save() == saved);
-    while (!first.done()) first.step();
-    while (!second.done()) second.step();
-    saved_state one = first.save(), other = second.save();
-    for (const char* clock : {"seconds", "coupling_seconds"}) {
-        one.erase(clock);
-        other.erase(clock);
+    for (int k = 0; k < 3; ++k) {
+        first.step();
+        second.step();
     }
-    CHECK(one == other);
+    CHECK(timeless(first.save()) == timeless(second.save()));
     CHECK(first.now().enthalpy_imbalance == second.now().enthalpy_imbalance);
     CHECK(first.now().fuel_power == second.now().fuel_power);
 
     SUBCASE("what does not fit is refused, and changes nothing") {
         saved_state lacking = saved, shorter = saved;
         lacking.erase("gas/enthalpy");
-        shorter["bed/temperature"].pop_back();
+        shorter["gas/temperature"].pop_back();
         CHECK_THROWS_WITH_AS(second.restore(lacking), "the state lacks gas/enthalpy", bad_scene);
         CHECK_THROWS_AS(second.restore(shorter), bad_scene);
-        saved_state after = second.save();
-        for (const char* clock : {"seconds", "coupling_seconds"}) after.erase(clock);
-        CHECK(after == other);
+        CHECK(timeless(second.save()) == timeless(first.save()));
     }
 }

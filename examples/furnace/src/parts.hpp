@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <hearth/closure/feng_han.hpp>
+#include <hearth/closure/gunn.hpp>
+#include <hearth/closure/zhang.hpp>
+#include <hearth/furnace/furnace.hpp>
+#include <hearth/scene/scene.hpp>
+#include <hearth/time/gas_exchange.hpp>
+#include <hearth/time/thermal_network.hpp>
+#include <hearth/time/tssm.hpp>
+#include <hearth/transfer/conduction.hpp>
+#include <hearth/transfer/convection.hpp>
+#include <hearth/transfer/radiation.hpp>
+
+#include "gas_at_particles.hpp"
+#include "packing.hpp"
+#include "shaft_gas.hpp"
+#include "stones.hpp"
+
+namespace hearth::furnace {
+
+using gas_convection = convection<closure::gunn, parabolic_particle>;
+using stone_radiation = radiation<closure::feng_han::monte_carlo_fit, closure::wall_view::bed>;
+using stone_conduction = conduction<closure::zhang::constriction>;
+
+/// Adds the time of a block to a sum.
+class stopwatch {
+  public:
+    explicit stopwatch(double& sum) : sum_(sum), begin_(std::chrono::steady_clock::now()) {}
+    ~stopwatch() { sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+    stopwatch(const stopwatch&) = delete;
+    stopwatch& operator=(const stopwatch&) = delete;
+
+  private:
+    double& sum_;
+    std::chrono::steady_clock::time_point begin_;
+};
+
+/// What each coupling did, one entry each: the books that balances and drifts are read from.  By the process's clock.
+struct history {
+    std::vector<double> gas_out;          ///< enthalpy of off-gas less air and burner gas [W]
+    std::vector<double> solids_out;       ///< enthalpy of the product less the feed [W]
+    std::vector<double> product;          ///< mass that left [kg]
+    std::vector<double> product_enthalpy; ///< of that mass [J]
+    std::vector<double> wall;             ///< to the ambient [W]
+    std::vector<double> stored;           ///< by the bed [W]
+    std::vector<double> offgas;           ///< [K]
+    std::vector<double> gas_missing;      ///< mass: in less out [kg/s]
+    std::vector<double> solid_missing;    ///< mass: in less out less stored [kg/s]
+
+    template <class Part>
+    void each(Part&& part) {
+        part("gas_out", gas_out);
+        part("solids_out", solids_out);
+        part("product", product);
+        part("product_enthalpy", product_enthalpy);
+        part("wall", wall);
+        part("stored", stored);
+        part("offgas", offgas);
+        part("gas_missing", gas_missing);
+        part("solid_missing", solid_missing);
+    }
+};
+
+/// Mean of the last `count` entries, `back` of them left out at the end.
+double recent_mean(const std::vector<double>& values, std::size_t count, std::size_t back = 0);
+
+struct furnace::parts {
+    explicit parts(const settings& given);
+
+    void fill_step();
+    void ignite();
+    void couple();
+    void judge();
+
+    void use_bed(std::unique_ptr<dem::moving_bed> made);
+    bool packed_by_dem() const { return scene.bed.motion != bed_motion::plug || scene.bed.packing == bed_packing::dem; }
+    void fit_to_packing();
+    void move(double process_time);
+    void exchange_with_gas();
+    void exchange_with_neighbours();
+    void place_bed();
+    double bed_enthalpy() const;
+    std::size_t window() const;             ///< couplings that a balance is averaged over
+    double imbalance(std::size_t back = 0) const;  ///< of the steady furnace, averaged [W]
+    double outlet_temperature(std::size_t back = 0) const;  ///< of the product, averaged [K]; 0 where nothing left
+    std::size_t hottest_stone() const;
+
+    /// Visits everything that a step takes from the one before: saving and restoring both walk this list.
+    /// part(name, array of doubles, vectors or numbers; or a number)
+    template <class Part>
+    void each_part(Part&& part);
+    saved_state save();
+    void restore(const saved_state& saved);
+
+    settings scene;
+    shaft_profile profile;
+    phase now = phase::fill;
+    double coarse_graining;
+    shaft_gas shaft;
+    std::optional<filling> fill;
+    std::unique_ptr<dem::moving_bed> bed;
+    stone_fields fields;
+    wall_rings rings;
+    tssm clock;
+    hearth::scene<gas_convection> gas_terms;
+    hearth::scene<stone_radiation, stone_conduction> stone_terms;
+    gas_exchange exchange;
+    thermal_network network;
+    gas_at_particles seen;
+    link_list<thermal_link<double>> links;
+    gas::report gas_report;
+    history past;
+
+    double bed_mass = 0, residence_time = 0, process_step = 0, process_time = 0;
+    double wall_loss = 0, stranded = 0;
+    double clamped = 0;
+    int couplings = 0, extra = 0;
+    bool converged = false;
+    std::vector<double> product_hottest, product_hot_seconds;  // of watched parcels that left
+    double passed_mass = 0, passed_enthalpy = 0, passed_over_feed = 0;  // of this coupling
+    struct {
+        double dem = 0, motion = 0, voidage = 0, transfer = 0, gas = 0, convection = 0, links = 0, radiation = 0, all = 0;
+        std::vector<double> phases = std::vector<double>(5, 0.0);
+    } seconds;
+};
+
+}  // namespace hearth::furnace

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "shaft_gas.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hearth::furnace {
+
+namespace {
+constexpr double pi = 3.14159265358979323846;
+}
+
+gas::shaft shape_of(const settings& scene) {
+    gas::shaft shape;
+    const double radius = 0.5 * scene.shaft.diameter, height = scene.shaft.height, top = modelled_height(scene);
+    shape.profile = {{0, radius}, {top, radius}};
+    shape.axial_size = {{0, scene.mesh.axial_size_bottom},
+                        {0.4 * std::min(2.0, height), scene.mesh.axial_size_bottom},
+                        {0.6 * std::min(2.0, height), scene.mesh.axial_size}};
+    const double burners = scene.burners.height;
+    if (scene.burners.count > 0 && burners - 0.5 > shape.axial_size.back().z && burners + 0.5 < height) {
+        shape.axial_size.push_back({burners - 0.5, scene.mesh.axial_size});
+        shape.axial_size.push_back({burners - 0.15, scene.mesh.axial_size_burners});
+        shape.axial_size.push_back({burners + 0.15, scene.mesh.axial_size_burners});
+        shape.axial_size.push_back({burners + 0.5, scene.mesh.axial_size});
+    }
+    shape.axial_size.push_back({top, scene.mesh.axial_size});
+    shape.cross_size = scene.shaft.diameter / scene.mesh.across;
+    // Below a hopper the off-gas leaves by a pipe in the side, its upper edge where the hopper begins.
+    shape.outlet = scene.shaft.hopper_height > 0;
+    const double pipe = scene.shaft.offgas_pipe_diameter;
+    shape.pipe = {pipe, height - 0.5 * std::sqrt(pi) / 2 * pipe};
+    return shape;
+}
+
+double at_height(const std::vector<double>& values, double z, double shaft_height) {
+    const auto cells = static_cast<double>(values.size());
+    const double k = std::clamp(z / shaft_height * cells - 0.5, 0.0, cells - 1);
+    const auto low = static_cast<std::size_t>(k);
+    const auto high = std::min(low + 1, values.size() - 1);
+    return values[low] + (k - static_cast<double>(low)) * (values[high] - values[low]);
+}
+
+namespace {
+
+gas::solver_settings solver_settings_of(const settings& scene) {
+    gas::solver_settings s;
+    s.reference_pressure = scene.gas.pressure;
+    s.turbulence = false;  // there is bed everywhere
+    return s;
+}
+
+}  // namespace
+
+shaft_gas::shaft_gas(const settings& scene, double parcel_diameter)
+    : scene_(scene),
+      mesh_(gas::renumbered(gas::make(shape_of(scene)))),
+      graph_(mesh_),
+      locator_(mesh_, graph_),
+      outlet_(scene.shaft.hopper_height > 0 ? "outlet" : "top"),
+      transfer(locator_, {scene.voidage.width_in_diameters * parcel_diameter, scene.voidage.threshold, 1e-5}),
+      model(std::make_shared<mixture>(air(), premix(scene.burners.equivalence_ratio), scene.physics.combustion, scene.gas.pressure)),
+      solver(mesh_, model, solver_settings_of(scene)) {
+    const double normal_density = 101325 / (combustion::gas_constant * 273.15 * combustion::sum(air()));
+    air_flow_ = scene.air.volume_flow * normal_density;
+    solver.set("bottom", gas::mass_flow_inlet(air_flow_, {scene.air.temperature, {1, 0}}));
+    solver.set(outlet_, gas::pressure_outlet(scene.gas.pressure, {scene.air.temperature, {1, 0}}));
+    set_burners(scene.burners.count > 0 ? scene.burners.mass_flow : 0.0);
+}
+
+void shaft_gas::set_burners(double mass_flow) {
+    if (!(mass_flow >= 0) || !std::isfinite(mass_flow)) {
+        throw bad_scene("burners: the mass flow is " + std::to_string(mass_flow) + ", allowed: finite and >= 0 [kg/s]");
+    }
+    const auto cells = static_cast<std::size_t>(mesh_.cells());
+    solver.sources.species.assign(2 * cells, 0.0);
+    solver.sources.enthalpy.assign(cells, 0.0);
+    solver.sources.force.assign(cells, {});
+    burner_flow_ = mass_flow;
+    if (!(mass_flow > 0)) return;
+    const double enthalpy = model->cold_enthalpy(1, scene_.burners.temperature);
+    const auto feed = [&](std::size_t c, double flow) {
+        solver.sources.species[2 * c + 1] += flow;
+        solver.sources.enthalpy[c] += flow * enthalpy;
+    };
+    if (scene_.burners.feed == burner_feed::section) {
+        // As the one-dimensional model: over the whole section and 0.1 m of height; a cell gets its share of these.
+        std::vector<double> share(cells), low(cells, 1e300), high(cells, -1e300);  // cells end at level faces
+        for (int f = 0; f < mesh_.faces(); ++f) {
+            const double z = mesh_.face_centre[f].z;
+            for (const int c : {mesh_.owner[f], f < mesh_.internal_faces() ? mesh_.neighbour[f] : mesh_.owner[f]}) {
+                const auto k = static_cast<std::size_t>(c);
+                low[k] = std::min(low[k], z);
+                high[k] = std::max(high[k], z);
+            }
+        }
+        double all = 0;
+        for (std::size_t c = 0; c < cells; ++c) {
+            const double within = std::min(high[c], scene_.burners.height + 0.05) - std::max(low[c], scene_.burners.height - 0.05);
+            share[c] = std::max(0.0, within / (high[c] - low[c])) * mesh_.volume[c];
+            all += share[c];
+        }
+        for (std::size_t c = 0; c < cells; ++c) feed(c, mass_flow * share[c] / all);
+        return;
+    }
+    // Flush with the wall, a jet of the burner's true momentum into the cell before its mouth.
+    const double each = mass_flow / scene_.burners.count, radius = 0.5 * scene_.shaft.diameter;
+    const double mouth = pi / 4 * scene_.burners.diameter * scene_.burners.diameter;
+    const double density = scene_.gas.pressure /
+                           (combustion::gas_constant * scene_.burners.temperature * combustion::sum(premix(scene_.burners.equivalence_ratio)));
+    for (int b = 0; b < scene_.burners.count; ++b) {
+        const double angle = 2 * pi * (b + 0.5) / scene_.burners.count;
+        const gas::vector3 outwards{std::cos(angle), std::sin(angle), 0};
+        gas::vector3 at = (radius - 0.25 * scene_.shaft.diameter / scene_.mesh.across) * outwards;
+        at.z = scene_.burners.height;
+        const int c = mesh_.find_cell(at);
+        if (c < 0) throw bad_scene("mesh: no cell lies at a burner's mouth");
+        feed(static_cast<std::size_t>(c), each);
+        solver.sources.force[c] += (-each * each / (density * mouth)) * outwards;
+    }
+}
+
+double shaft_gas::excess_air_ratio() const {
+    const double fuel = burner_flow_ * premix(scene_.burners.equivalence_ratio)[combustion::CH4];
+    const double oxygen = burner_flow_ * premix(scene_.burners.equivalence_ratio)[combustion::O2] + air_flow_ * air()[combustion::O2];
+    return fuel > 0 ? oxygen / (2 * fuel) : 0;
+}
+
+void shaft_gas::start(const shaft_profile& profile) {
+    const bool cold = scene_.time.start == start_from::cold;
+    solver.initialise(scene_.air.temperature, {1, 0});
+    const double burnt_share = burner_flow_ / std::max(burner_flow_ + air_flow_, 1e-300);
+    for (int c = 0; c < mesh_.cells(); ++c) {
+        const double z = mesh_.centre[c].z;
+        const bool ignited = burner_flow_ > 0 && std::abs(z - scene_.burners.height) < 0.3;
+        const double t = cold ? (ignited ? scene_.gas.ignition_temperature : scene_.air.temperature)
+                              : at_height(profile.gas_temperature, z, scene_.shaft.height);
+        const double share = z > scene_.burners.height ? burnt_share : 0.0;
+        solver.gas.mass_fraction[2 * c] = 1 - share;
+        solver.gas.mass_fraction[2 * c + 1] = share;
+        solver.gas.temperature[c] = t;
+        solver.gas.enthalpy[c] = model->enthalpy(t, &solver.gas.mass_fraction[2 * c]);
+    }
+    solver.update_properties();
+    solver.level_zero();
+}
+
+double shaft_gas::outlet_mean(const std::vector<double>& of_cells) const {
+    const gas::patch& p = mesh_.find_patch(outlet_);
+    double sum = 0, flow = 0;
+    for (int f = p.first; f < p.first + p.count; ++f) {
+        const double out = std::max(0.0, solver.gas.flow.mass_flux[f]);
+        sum += out * of_cells[static_cast<std::size_t>(mesh_.owner[f])];
+        flow += out;
+    }
+    return flow > 0 ? sum / flow : 0;
+}
+
+}  // namespace hearth::furnace

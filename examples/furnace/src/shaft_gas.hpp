@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <hearth/furnace/settings.hpp>
+#include <hearth/furnace/shaft_profile.hpp>
+#include <hearth/gas/generate.hpp>
+#include <hearth/gas/mesh_traits.hpp>
+#include <hearth/gas/solver.hpp>
+#include <hearth/voidage/transfer_operator.hpp>
+
+#include "mixture.hpp"
+
+namespace hearth::furnace {
+
+/// The gas of a shaft: mesh, solver, what enters and leaves, and the map between its cells and the parcels.
+class shaft_gas {
+  public:
+    shaft_gas(const settings& scene, double parcel_diameter);
+    shaft_gas(const shaft_gas&) = delete;
+    shaft_gas& operator=(const shaft_gas&) = delete;
+
+    /// Premixed gas of all burners [kg/s].
+    void set_burners(double mass_flow);
+    double burner_flow() const { return burner_flow_; }
+    double air_flow() const { return air_flow_; }                ///< [kg/s]
+    double fuel_power() const { return burner_flow_ * model->heating_value(); }  ///< [W]
+    double burner_enthalpy() const { return burner_flow_ * model->cold_enthalpy(1, scene_.burners.temperature); }  ///< [W]
+    /// Excess air: all oxygen over what the fuel needs [-]; 0 without fuel.
+    double excess_air_ratio() const;
+
+    /// Everything from a one-dimensional solution, or cold with hot gas around the burners.
+    void start(const shaft_profile& profile);
+
+    const std::string& outlet() const { return outlet_; }
+    const gas::mesh& grid() const { return mesh_; }
+    /// Mean of a value that cells have, over what leaves, by mass flow.
+    double outlet_mean(const std::vector<double>& of_cells) const;
+    double burner_share(int cell) const { return solver.gas.mass_fraction[2 * cell + 1]; }
+
+  private:
+    settings scene_;
+    gas::mesh mesh_;
+    cell_graph<> graph_;
+    cell_locator<gas::mesh> locator_;
+    std::string outlet_;
+    double air_flow_ = 0, burner_flow_ = 0;
+
+  public:
+    transfer_operator<gas::mesh> transfer;
+    std::shared_ptr<const mixture> model;
+    gas::solver solver;
+};
+
+/// Height of everything that is modelled: the shaft and the stub of the hopper on it [m].
+inline double modelled_height(const settings& scene) { return scene.shaft.height + scene.shaft.hopper_height; }
+
+/// Value of a profile's cells at a height, by straight lines between the cells' centres.
+double at_height(const std::vector<double>& values, double z, double shaft_height);
+
+gas::shaft shape_of(const settings& scene);
+
+}  // namespace hearth::furnace

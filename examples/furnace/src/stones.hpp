@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <hearth/core/contact_traits.hpp>
+#include <hearth/core/particle_traits.hpp>
+#include <hearth/dem/moving_bed.hpp>
+#include <hearth/furnace/spinel.hpp>
+
+#include "wall_rings.hpp"
+
+namespace hearth::furnace {
+
+/// What belongs to the stones of a parcel beside its place, carried along when the bed moves.
+struct stone_fields {
+    std::vector<double> temperature;   ///< [K]
+    std::vector<double> hottest;       ///< so far [K]
+    std::vector<double> hot_seconds;   ///< above 2130 K, by the process's clock [s]
+    std::vector<double> watched;       ///< 1 where the last two hold since the feed or since above the burners, else 0
+    std::vector<double> conductance;   ///< to the gas, of all stones of the parcel, in the last coupling [W/K]
+    std::vector<double> convected;     ///< what the parcel got from the gas in the last coupling [W]
+
+    template <class Part>
+    void each(Part&& part) {
+        part("temperature", temperature);
+        part("hottest", hottest);
+        part("hot_seconds", hot_seconds);
+        part("watched", watched);
+        part("conductance", conductance);
+        part("convected", convected);
+    }
+    void start(std::size_t count, double feed_temperature) {
+        temperature.assign(count, feed_temperature);
+        hottest.assign(count, feed_temperature);
+        for (auto* field : {&hot_seconds, &watched, &conductance, &convected}) field->assign(count, 0.0);
+    }
+    void carry(const dem::passage& passed, double feed_temperature) {
+        passed.carry(temperature, feed_temperature);
+        passed.carry(hottest, feed_temperature);
+        passed.carry(hot_seconds, 0.0);
+        passed.carry(watched, 1.0);
+        passed.carry(conductance, 0.0);
+        passed.carry(convected, 0.0);
+    }
+};
+
+/// The bed as parcels: what fills the cells, and what sees its neighbours.
+struct parcels {
+    const dem::moving_bed& bed;
+    const stone_fields& fields;
+};
+
+/// The bed as stones, one for each parcel: what the closures were fitted for.
+struct stones {
+    const dem::moving_bed& bed;
+    const stone_fields& fields;
+    double coarse_graining;      ///< diameter of a parcel over that of its stones [-]
+    double acceleration_factor;  ///< the velocities that hearth asks for are those of the accelerated motion
+};
+
+/// Who is near whom, by parcels; and the wall in rings, each with its own temperature.
+struct bed_neighbours {
+    const dem::moving_bed& bed;
+    const wall_rings& rings;
+};
+
+}  // namespace hearth::furnace
+
+template <>
+struct hearth::particle_traits<hearth::furnace::parcels> {
+    using index = std::int32_t;
+    using scalar = double;
+    using cloud = furnace::parcels;
+    static index particle_count(const cloud& c) { return c.bed.size(); }
+    static std::array<double, 3> get(quantity::position, const cloud& c, index i) {
+        const auto& x = c.bed.spheres()[static_cast<std::size_t>(i)].centre;
+        return {x.x, x.y, x.z};
+    }
+    static scalar get(quantity::radius, const cloud& c, index i) { return c.bed.spheres()[static_cast<std::size_t>(i)].radius; }
+    static scalar get(quantity::temperature, const cloud& c, index i) { return c.fields.temperature[static_cast<std::size_t>(i)]; }
+    static scalar get(quantity::conductivity, const cloud& c, index i) {
+        return furnace::spinel::conductivity(c.fields.temperature[static_cast<std::size_t>(i)]);
+    }
+};
+
+template <>
+struct hearth::particle_traits<hearth::furnace::stones> {
+    using index = std::int32_t;
+    using scalar = double;
+    using cloud = furnace::stones;
+    static index particle_count(const cloud& c) { return c.bed.size(); }
+    static scalar get(quantity::radius, const cloud& c, index i) {
+        return c.bed.spheres()[static_cast<std::size_t>(i)].radius / c.coarse_graining;
+    }
+    static std::array<double, 3> get(quantity::velocity, const cloud& c, index i) {
+        const auto v = c.bed.velocity(i);
+        return {v.x * c.acceleration_factor, v.y * c.acceleration_factor, v.z * c.acceleration_factor};
+    }
+    static scalar get(quantity::temperature, const cloud& c, index i) { return c.fields.temperature[static_cast<std::size_t>(i)]; }
+    static scalar get(quantity::conductivity, const cloud& c, index i) {
+        return furnace::spinel::conductivity(c.fields.temperature[static_cast<std::size_t>(i)]);
+    }
+};
+
+template <>
+struct hearth::contact_traits<hearth::furnace::bed_neighbours> {
+    using host = furnace::bed_neighbours;
+
+    template <class Visit>
+    static void for_each_contact(const host& h, Visit&& visit) {
+        contact_traits<dem::moving_bed>::for_each_contact(h.bed, visit);
+    }
+    template <class Visit>
+    static void for_each_near(const host& h, double radius_factor, Visit&& visit) {
+        h.bed.for_each_near(radius_factor, visit);
+    }
+    template <class Visit>
+    static void for_each_near_wall(const host& h, double radius_factor, Visit&& visit) {
+        h.bed.for_each_near_wall(radius_factor, [&](std::int32_t i, int, double distance) {
+            visit(i, h.rings.ring(h.bed.spheres()[static_cast<std::size_t>(i)].centre.z), distance);
+        });
+    }
+    static double wall_temperature(const host& h, int ring) { return h.rings.temperature()[static_cast<std::size_t>(ring)]; }
+};

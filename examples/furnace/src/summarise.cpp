@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// What is read from a furnace: status, fields, profiles.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "parts.hpp"
+
+namespace hearth::furnace {
+
+std::size_t furnace::parts::hottest_stone() const {
+    return static_cast<std::size_t>(std::max_element(fields.temperature.begin(), fields.temperature.end()) - fields.temperature.begin());
+}
+
+status furnace::now() const {
+    const parts& p = *parts_;
+    status s;
+    s.now = p.now;
+    s.fuel_power = p.shaft.fuel_power();
+    if (p.now == phase::fill) {
+        s.share_done = p.fill->share();
+        s.share_of_run = 0.1 * s.share_done;
+        s.fill_level = p.fill->level();
+        return s;
+    }
+    s.couplings = p.couplings;
+    s.process_time = p.process_time;
+    const int planned = p.scene.time.couplings;
+    s.share_done = p.now == phase::converge ? static_cast<double>(p.couplings - planned) / planned : static_cast<double>(p.couplings) / planned;
+    if (p.now == phase::report) s.share_done = 1;
+    s.share_of_run = std::min(1.0, 0.1 + 0.9 * static_cast<double>(p.couplings) / planned);
+    const std::size_t peak = p.hottest_stone();
+    s.peak_particle_temperature = p.fields.temperature[peak];
+    s.peak_height = p.bed->spheres()[peak].centre.z;
+    if (p.now == phase::ignite) return s;
+    const auto& t = p.shaft.solver.gas.temperature;
+    s.maximum_gas_temperature = *std::max_element(t.begin(), t.end());
+    s.offgas_temperature = p.shaft.solver.mean_temperature(p.shaft.outlet());
+    s.solids_outlet_temperature = p.outlet_temperature();
+    s.pressure_drop = p.shaft.solver.mean_pressure("bottom") - p.scene.gas.pressure;
+    double voids = 0, volume = 0;
+    for (int c = 0; c < p.shaft.grid().cells(); ++c) {
+        voids += p.shaft.solver.bed.void_fraction[c] * p.shaft.grid().volume[c];
+        volume += p.shaft.grid().volume[c];
+    }
+    s.mean_void_fraction = voids / volume;
+    if (p.couplings == 0) return s;
+    s.wall_heat_loss = p.past.wall.back();
+    s.gas_enthalpy_out = p.past.gas_out.back();
+    s.particle_enthalpy_gain = p.past.stored.back();
+    s.solids_enthalpy_out = p.past.solids_out.back();
+    s.enthalpy_imbalance = -(s.gas_enthalpy_out + s.particle_enthalpy_gain + s.solids_enthalpy_out + s.wall_heat_loss);
+    s.coupling_share = p.seconds.all > 0 ? (p.seconds.voidage + p.seconds.transfer) / p.seconds.all : 0;
+    return s;
+}
+
+snapshot furnace::look() const {
+    const parts& p = *parts_;
+    snapshot s;
+    s.process_time = p.process_time;
+    const auto spheres = [&](const dem::sphere* all, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) {
+            s.particle_position.push_back({all[i].centre.x, all[i].centre.y, all[i].centre.z});
+            s.particle_radius.push_back(all[i].radius);
+        }
+    };
+    if (p.now == phase::fill) {
+        const dem::bed& b = p.fill->bed();
+        spheres(b.spheres(), static_cast<std::size_t>(b.size()));
+        return s;
+    }
+    spheres(p.bed->spheres().data(), p.bed->spheres().size());
+    s.particle_temperature = p.fields.temperature;
+    for (std::size_t i = 0; i < s.particle_radius.size(); ++i) {
+        constexpr double pi = 3.14159265358979323846;
+        const double area = 4 * pi * s.particle_radius[i] * s.particle_radius[i] * p.coarse_graining;
+        s.heat_transfer_coefficient.push_back(p.fields.conductance[i] / area);
+    }
+    if (p.now == phase::ignite) return s;
+    const gas::mesh& m = p.shaft.grid();
+    const auto& gas = p.shaft.solver.gas;
+    s.void_fraction = p.shaft.solver.bed.void_fraction;
+    s.gas_temperature = gas.temperature;
+    for (int c = 0; c < m.cells(); ++c) {
+        s.cell_centre.push_back({m.centre[c].x, m.centre[c].y, m.centre[c].z});
+        s.cell_volume.push_back(m.volume[c]);
+        s.pressure.push_back(p.shaft.solver.absolute_pressure(c));
+        const auto& u = gas.flow.velocity[c];
+        s.superficial_velocity.push_back({u.x, u.y, u.z});
+        const auto x = combustion::mole_fractions(p.shaft.model->burnt(std::clamp(p.shaft.burner_share(c), 0.0, 1.0), gas.temperature[c]));
+        for (std::size_t k = 0; k < combustion::species_count; ++k) s.mole_fraction[combustion::species_names[k]].push_back(x[k]);
+    }
+    return s;
+}
+
+cell_shapes furnace::cells() const {
+    const gas::mesh& m = parts_->shaft.grid();
+    cell_shapes shapes;
+    for (const auto& x : m.shape.points) shapes.points.push_back({x.x, x.y, x.z});
+    // Cells stand on a level face and end in another; their points go round the same way in both, above one another.
+    shapes.cells.resize(static_cast<std::size_t>(m.cells()));
+    std::vector<int> lower(shapes.cells.size(), -1), upper(shapes.cells.size(), -1);
+    for (int f = 0; f < m.faces(); ++f) {
+        if (std::abs(m.area[f].z) < 0.9 * norm(m.area[f])) continue;
+        for (const int c : {m.owner[f], f < m.internal_faces() ? m.neighbour[f] : m.owner[f]}) {
+            (m.face_centre[f].z < m.centre[c].z ? lower : upper)[static_cast<std::size_t>(c)] = f;
+        }
+    }
+    for (std::size_t c = 0; c < shapes.cells.size(); ++c) {
+        const auto corner = [&](int face, int k) { return m.shape.face_points[m.shape.face_first[face] + k]; };
+        const bool turns = (m.area[lower[c]].z > 0);  // right-handed about +z, as VTK's hexahedron asks of its lower side
+        for (int k = 0; k < 4; ++k) {
+            const int below = corner(lower[c], turns ? k : 3 - k);
+            shapes.cells[c][static_cast<std::size_t>(k)] = below;
+            const auto& x = m.shape.points[below];
+            int nearest = corner(upper[c], 0);
+            const auto apart = [&](int point) { return std::hypot(m.shape.points[point].x - x.x, m.shape.points[point].y - x.y); };
+            for (int q = 1; q < 4; ++q) {
+                if (apart(corner(upper[c], q)) < apart(nearest)) nearest = corner(upper[c], q);
+            }
+            shapes.cells[c][static_cast<std::size_t>(k + 4)] = nearest;
+        }
+    }
+    return shapes;
+}
+
+axial_profile furnace::axial(int slices) const {
+    const parts& p = *parts_;
+    axial_profile profile;
+    if (p.now == phase::fill || p.now == phase::ignite || slices < 1) return profile;
+    const auto n = static_cast<std::size_t>(slices);
+    const double height = p.scene.shaft.height, dz = height / slices, radius = 0.5 * p.scene.shaft.diameter;
+    const auto slice = [&](double z) { return static_cast<std::size_t>(std::clamp(z / dz, 0.0, slices - 1.0)); };
+    const auto mean = [&](std::vector<double>& sum, const std::vector<double>& weight) {
+        for (std::size_t k = 0; k < n; ++k) sum[k] = weight[k] > 0 ? sum[k] / weight[k] : std::numeric_limits<double>::quiet_NaN();
+    };
+    for (std::size_t k = 0; k < n; ++k) profile.height.push_back((static_cast<double>(k) + 0.5) * dz);
+    for (auto* field : {&profile.particle_temperature, &profile.particle_temperature_centre, &profile.particle_temperature_wall,
+                        &profile.gas_temperature, &profile.pressure, &profile.void_fraction, &profile.convection}) {
+        field->assign(n, 0.0);
+    }
+    std::vector<double> all(n), centre(n), wall(n);
+    for (std::size_t i = 0; i < p.fields.temperature.size(); ++i) {
+        const dem::vector3& x = p.bed->spheres()[i].centre;
+        if (x.z >= height) continue;
+        const std::size_t k = slice(x.z);
+        const double r = std::hypot(x.x, x.y), m = p.bed->masses()[i], t = p.fields.temperature[i];
+        const auto add = [&](std::vector<double>& sum, std::vector<double>& weight) {
+            sum[k] += m * t;
+            weight[k] += m;
+        };
+        add(profile.particle_temperature, all);
+        if (r < radius / 3) add(profile.particle_temperature_centre, centre);
+        if (r > 0.85 * radius) add(profile.particle_temperature_wall, wall);
+        profile.convection[k] += p.fields.convected[i] / dz;
+    }
+    mean(profile.particle_temperature, all);
+    mean(profile.particle_temperature_centre, centre);
+    mean(profile.particle_temperature_wall, wall);
+    std::vector<double> volume(n), flow(n);
+    for (int c = 0; c < p.shaft.grid().cells(); ++c) {
+        const gas::vector3& x = p.shaft.grid().centre[c];
+        if (x.z >= height) continue;
+        const std::size_t k = slice(x.z);
+        const double v = p.shaft.grid().volume[c], up = std::max(1e-12, p.shaft.solver.gas.density[c] * p.shaft.solver.gas.flow.velocity[c].z) * v;
+        profile.void_fraction[k] += v * p.shaft.solver.bed.void_fraction[c];
+        profile.pressure[k] += v * p.shaft.solver.absolute_pressure(c);
+        profile.gas_temperature[k] += up * p.shaft.solver.gas.temperature[c];
+        volume[k] += v;
+        flow[k] += up;
+    }
+    mean(profile.void_fraction, volume);
+    mean(profile.pressure, volume);
+    mean(profile.gas_temperature, flow);
+    // Heat between neighbours, as the links have it now, and to the wall.
+    for (const link_part& part : p.links.parts) {
+        auto& heat = part.term == 0 ? profile.radiation : profile.conduction;
+        if (part.term == 0 ? p.scene.physics.radiation : p.scene.physics.conduction) heat.assign(n, 0.0);
+    }
+    std::size_t k = 0;
+    for (const link_part& part : p.links.parts) {
+        auto& heat = part.term == 0 ? profile.radiation : profile.conduction;
+        for (; k < part.pairs; ++k) {
+            const auto& pair = p.links.pairs[k];
+            const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
+            const double zi = p.bed->spheres()[i].centre.z, zj = p.bed->spheres()[j].centre.z, ti = p.fields.temperature[i], tj = p.fields.temperature[j];
+            if (heat.empty()) continue;
+            const double to_first = pair.link.secant(ti, tj) * (tj - ti) / dz;
+            if (zi < height) heat[slice(zi)] += to_first;
+            if (zj < height) heat[slice(zj)] -= to_first;
+        }
+    }
+    if (p.scene.physics.radiation) profile.wall.assign(n, 0.0);
+    for (const auto& link : p.links.walls) {
+        if (profile.wall.empty()) break;
+        const auto i = static_cast<std::size_t>(link.particle);
+        const double z = p.bed->spheres()[i].centre.z, t = p.fields.temperature[i], wall_t = p.rings.temperature()[static_cast<std::size_t>(link.patch)];
+        if (z < height) profile.wall[slice(z)] += link.link.secant(t, wall_t) * (wall_t - t) / dz;
+    }
+    return profile;
+}
+
+}  // namespace hearth::furnace

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// The numbers that a run ends with, and what a scene will cost before it runs.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "nitric_oxide.hpp"
+#include "parts.hpp"
+
+namespace hearth::furnace {
+
+namespace {
+
+/// Value below which a share of the sorted values lies.
+std::optional<double> percentile(std::vector<double> values, double share) {
+    if (values.empty()) return {};
+    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + at, values.end());
+    return values[static_cast<std::size_t>(at)];
+}
+
+std::optional<double> share_above(const std::vector<double>& values, double limit) {
+    if (values.empty()) return {};
+    return static_cast<double>(std::count_if(values.begin(), values.end(), [&](double v) { return v > limit; })) /
+           static_cast<double>(values.size());
+}
+
+}  // namespace
+
+summary furnace::summarise() const {
+    constexpr double pi = 3.14159265358979323846;
+    const parts& p = *parts_;
+    summary s;
+    s.wall_time = p.seconds.all;
+    rusage used{};
+    if (getrusage(RUSAGE_SELF, &used) == 0) s.peak_memory = 1024.0 * static_cast<double>(used.ru_maxrss);
+    for (std::size_t k = 0; k < p.seconds.phases.size(); ++k) s.phases.push_back({name(static_cast<phase>(k)), p.seconds.phases[k]});
+    s.modules = {{"dem", p.seconds.dem}, {"motion", p.seconds.motion}, {"voidage", p.seconds.voidage}, {"transfer", p.seconds.transfer},
+                 {"gas", p.seconds.gas}, {"convection", p.seconds.convection}, {"links", p.seconds.links}, {"radiation", p.seconds.radiation}};
+    s.fuel_power = p.shaft.fuel_power();
+    if (p.scene.particles.mass_flow > 0) s.specific_heat_consumption = *s.fuel_power / p.scene.particles.mass_flow * 1e-3;
+    if (p.shaft.burner_flow() > 0) s.excess_air_ratio = p.shaft.excess_air_ratio();
+    if (p.now == phase::fill) return s;
+    s.bed_mass = p.bed->total_mass();
+    if (p.scene.particles.mass_flow > 0) s.residence_time = p.residence_time / 3600;
+    if (p.now == phase::ignite) return s;
+
+    const status now = this->now();
+    s.peak_particle_temperature = now.peak_particle_temperature;
+    s.peak_height = now.peak_height;
+    s.pressure_drop = now.pressure_drop;
+    s.mean_void_fraction = now.mean_void_fraction;
+    s.maximum_temperature = std::max(now.peak_particle_temperature, now.maximum_gas_temperature);
+    s.stranded_volume = p.stranded;
+    s.clamped_evaluations = p.clamped;
+    s.coupling_share = now.coupling_share;
+    s.converged = p.converged;
+
+    // Means over the particles of a slice and a share of the radius.
+    const double radius = 0.5 * p.scene.shaft.diameter;
+    const double half = std::max(0.15, p.coarse_graining * sauter_diameter(p.scene));
+    const auto mean = [&](double z, double from, double to) -> std::optional<double> {
+        double sum = 0, mass = 0;
+        for (std::size_t i = 0; i < p.fields.temperature.size(); ++i) {
+            const dem::vector3& x = p.bed->spheres()[i].centre;
+            const double r = std::hypot(x.x, x.y) / radius;
+            if (std::abs(x.z - z) > half || r < from || r > to) continue;
+            sum += p.bed->masses()[i] * p.fields.temperature[i];
+            mass += p.bed->masses()[i];
+        }
+        if (!(mass > 0)) return {};
+        return sum / mass;
+    };
+    s.centre_temperature_at_peak = mean(*s.peak_height, 0, 0.2);
+    const auto centre_minus_wall = [&](double z) -> std::optional<double> {
+        const auto centre = mean(z, 0, 0.3), wall = mean(z, 0.85, 2);
+        if (!centre || !wall || z > p.scene.shaft.height) return {};
+        return *centre - *wall;
+    };
+    s.centre_minus_wall_at_1m = centre_minus_wall(1);
+    s.centre_minus_wall_at_5m = centre_minus_wall(5);
+    std::vector<double> h;
+    for (std::size_t i = 0; i < p.fields.conductance.size(); ++i) {
+        const dem::sphere& sphere = p.bed->spheres()[i];
+        if (sphere.centre.z < 0.5 || sphere.centre.z > p.scene.burners.height - 0.2 || !(p.fields.conductance[i] > 0)) continue;
+        h.push_back(p.fields.conductance[i] / (4 * pi * sphere.radius * sphere.radius * p.coarse_graining));
+    }
+    s.heat_transfer_coefficient_p05 = percentile(h, 0.05);
+    s.heat_transfer_coefficient_p95 = percentile(h, 0.95);
+
+    // What leaves, mixed: species by their cells, weighted by mass flow.
+    const auto cells = static_cast<std::size_t>(p.shaft.grid().cells());
+    const gas::patch& outlet = p.shaft.grid().find_patch(p.shaft.outlet());
+    std::vector<double> amounts[combustion::species_count];
+    for (auto& field : amounts) field.assign(cells, 0.0);
+    for (int f = outlet.first; f < outlet.first + outlet.count; ++f) {
+        const int c = p.shaft.grid().owner[f];
+        const auto n = p.shaft.model->burnt(std::clamp(p.shaft.burner_share(c), 0.0, 1.0), p.shaft.solver.gas.temperature[c]);
+        for (std::size_t k = 0; k < combustion::species_count; ++k) amounts[k][static_cast<std::size_t>(c)] = n[k];
+    }
+    combustion::per_species leaving{};
+    for (std::size_t k = 0; k < combustion::species_count; ++k) leaving[k] = p.shaft.outlet_mean(amounts[k]);
+    const double moles = combustion::sum(leaving), dry = moles - leaving[combustion::H2O];
+    if (dry > 0) {
+        s.oxygen_dry_outlet = leaving[combustion::O2] / dry;
+        s.carbon_monoxide_outlet = leaving[combustion::CO] / moles;
+        s.methane_outlet = leaving[combustion::CH4] / moles;
+        if (p.scene.physics.nitric_oxide) {
+            // 46.0055 g/mol: emission limits count NO as NO2.  Oxygen of dry air: 21 %.
+            const double fraction = p.shaft.outlet_mean(thermal_nitric_oxide_of(p.shaft)) / dry;
+            const double normal_moles = 101325 / (combustion::gas_constant * 273.15);  // [mol/Nm^3]
+            const double dilution = (0.21 - 0.11) / std::max(0.21 - *s.oxygen_dry_outlet, 1e-6);
+            if (*s.oxygen_dry_outlet < 0.209) s.nitric_oxide_outlet = fraction * normal_moles * 46.0055e3 * dilution;
+        }
+    }
+    if (p.couplings == 0) return s;
+
+    s.offgas_temperature = recent_mean(p.past.offgas, p.window());
+    if (p.outlet_temperature() > 0) s.solids_outlet_temperature = p.outlet_temperature();
+    s.wall_heat_loss = recent_mean(p.past.wall, p.window());
+    s.enthalpy_imbalance = p.imbalance();
+    s.enthalpy_audit = p.imbalance() - recent_mean(p.past.stored, p.window());
+    s.gas_mass_imbalance = recent_mean(p.past.gas_missing, p.window());
+    s.solid_mass_imbalance = recent_mean(p.past.solid_missing, p.past.solid_missing.size());
+    double elements = 0;  // elements go with their streams: what a stream lacks, over what it brings
+    for (const gas::balance& stream : p.gas_report.species) elements = std::max(elements, stream.error);
+    s.element_imbalance = elements;
+    s.product_share_above_2130_K = share_above(p.product_hottest, 2130);
+    s.product_share_above_2320_K = share_above(p.product_hottest, 2320);
+    s.median_time_above_2130_K = percentile(p.product_hot_seconds, 0.5);
+    if (*s.maximum_temperature > 2327) {
+        std::ostringstream text;
+        const auto& t = p.shaft.solver.gas.temperature;
+        const auto c = static_cast<int>(std::max_element(t.begin(), t.end()) - t.begin());
+        text << "hotter than the flame of cold gas, 2327 K: " << *s.maximum_temperature << " K; the hottest cell is " << c << " at "
+             << p.shaft.grid().centre[c].z << " m; only gas that the bed has heated before it burns gets there";
+        s.warnings.push_back(text.str());
+    }
+    if (p.clamped > 0) s.warnings.push_back("closures were asked outside of the range they were fitted in, see clamped_evaluations");
+    return s;
+}
+
+plan foresee(const settings& scene) {
+    check(scene);
+    plan result;
+    constexpr double pi = 3.14159265358979323846;
+    const double height = modelled_height(scene), radius = 0.5 * scene.shaft.diameter, d = sauter_diameter(scene);
+    const double solid = (1 - scene.bed.void_fraction) * pi * radius * radius * height;
+    const double stone = pi / 6 * d * d * d;
+    result.particles = static_cast<std::int64_t>(solid / stone);
+    result.parcels = static_cast<std::int64_t>(solid / stone / std::pow(scene.bed.coarse_graining, 3));
+    const double layers = 0.8 / scene.mesh.axial_size_bottom + 1 / scene.mesh.axial_size_burners + std::max(0.0, height - 1.8) / scene.mesh.axial_size;
+    const double across = scene.shaft.diameter / scene.mesh.across;
+    result.cells = static_cast<std::int64_t>(layers * pi * radius * radius / (across * across) * 1.4);  // the O-grid is finer at the wall
+    result.couplings = scene.time.couplings;
+    // Measured: 1.7 kB a cell and 2.5 kB a parcel with its neighbours; 40 us a cell and 15 us a parcel in a coupling.
+    const auto cells = static_cast<double>(result.cells), parcels = static_cast<double>(result.parcels);
+    result.memory = 2e7 + 1700 * cells + 2500 * parcels;
+    result.seconds = scene.time.couplings * (40e-6 * cells + 15e-6 * parcels);
+    if (scene.bed.packing == bed_packing::dem) {
+        const dem::material body{scene.bed.softened_modulus, scene.bed.poisson_ratio};
+        const double step = 0.2 * dem::rayleigh_time(0.5 * d * scene.bed.coarse_graining, scene.particles.density, body);
+        result.seconds += 1e-7 * parcels * (std::sqrt(0.8 * height / 9.81) + 0.5) / step;
+    }
+    const auto leaves = [&](bool out, const char* what, const char* because, const char* saves) {
+        if (out) result.left_out.push_back({what, because, saves});
+    };
+    leaves(!scene.physics.radiation, "radiation", "physics.radiation", "the list of neighbours and half of its solution");
+    leaves(!scene.physics.conduction, "conduction through contacts", "physics.conduction", "the list of contacts");
+    leaves(scene.bed.packing == bed_packing::lattice, "DEM", "bed.packing", "the fill phase");
+    leaves(scene.bed.packing == bed_packing::dem && scene.bed.motion == bed_motion::plug, "shear of the bed", "bed.motion", "the recorded run");
+    leaves(scene.physics.combustion != burning::jones_lindstedt, "finite-rate chemistry", "physics.combustion",
+           "five of seven species and their integration");
+    leaves(true, "turbulence: the bed fills the shaft, and nothing is free of it", "shaft.hopper_height_m", "two equations");
+    leaves(!scene.physics.nitric_oxide, "thermal NO", "physics.nitric_oxide", "one sweep after the run");
+    return result;
+}
+
+}  // namespace hearth::furnace
