@@ -130,19 +130,23 @@ std::int64_t bed::insert(const std::vector<particle>& added) {
     const std::int64_t first = self.next_id;
     if (added.empty()) return first;
     detail::store& all = self.particles;
-    detail::history past = self.remember();
+    detail::history past = self.remember(self.shared);
     all.drop_ghosts();
-    for (std::size_t k = 0; k < added.size(); ++k) {
+    std::vector<std::size_t> mine;
+    for (std::size_t k = 0; k < added.size(); ++k)
+        if (!self.shared || self.slabs.is_mine(added[k].position)) mine.push_back(k);
+    std::size_t i = all.owned;
+    all.owned += mine.size();
+    all.resize(all.owned);
+    for (const std::size_t k : mine) {
         const particle& p = added[k];
-        if (self.shared && !self.slabs.is_mine(p.position)) continue;
-        const std::size_t i = all.owned++;
-        all.resize(all.owned);
         const double mass = p.density * sphere_volume(p.radius);
         all.spheres[i] = {p.position, p.radius};
         all.motions[i] = {p.velocity, 1 / mass, p.spin, 1 / (0.4 * mass * p.radius * p.radius)};
         all.ids[i] = first + static_cast<std::int64_t>(k);
         all.temperatures[i] = p.temperature;
         past.append({}, {});
+        ++i;
     }
     self.rebuild(std::move(past), self.everyone());
     self.find_deep(first);
@@ -152,7 +156,7 @@ std::int64_t bed::insert(const std::vector<particle>& added) {
         std::vector<index> kept;
         for (std::size_t i = 0; i < all.owned; ++i)
             if (all.ids[i] < first) kept.push_back(static_cast<index>(i));
-        self.rebuild(self.remember(), std::move(kept));
+        self.rebuild(self.remember(self.shared), std::move(kept));
         throw;
     }
     self.next_id += static_cast<std::int64_t>(added.size());
@@ -172,7 +176,7 @@ void bed::remove(const std::vector<index>& indices) {
     std::vector<index> kept;
     for (index i = 0; i < size(); ++i)
         if (!gone[static_cast<std::size_t>(i)]) kept.push_back(i);
-    self.rebuild(self.remember(), std::move(kept));
+    self.rebuild(self.remember(self.shared), std::move(kept));
     self.loaded = false;
 }
 
@@ -181,7 +185,7 @@ void bed::advance(int count) {
     if (count == 0) return;
     implementation& self = *self_;
     if (!self.loaded) {
-        if (!self.listed) self.rebuild(self.remember(), self.everyone());
+        if (!self.listed) self.rebuild(self.remember(self.shared), self.everyone());
         self.clear_loads();
         if (self.shared) {  // who knows what was set since
             self.ghosts.begin_motion(self.particles);

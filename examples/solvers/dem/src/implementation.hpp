@@ -59,7 +59,8 @@ struct bed::implementation {
     double near_reach(double factor) const { return factor * 2 * largest_radius; }
 
     double reach() const { return settings.skin * 2 * smallest_radius; }
-    detail::history remember() const;
+    /// Springs, those of two particles in the row of the lower id; `to_go`: in both rows, for either may go elsewhere.
+    detail::history remember(bool to_go) const;
     std::vector<index> everyone() const;
     /// Keeps these owned particles, brings those that now belong to this rank, and sorts them all into cells; their springs,
     /// the rows of `past`, stay with them.

@@ -24,7 +24,7 @@ void append_missing(std::vector<index>& order, std::size_t n) {
 
 }  // namespace
 
-detail::history bed::implementation::remember() const {
+detail::history bed::implementation::remember(bool to_go) const {
     detail::history past(rolling);
     past.start(particles.owned);
     const auto owned = static_cast<index>(particles.owned);
@@ -34,13 +34,8 @@ detail::history bed::implementation::remember() const {
             const vector3* const roll = at_if_any(pairs.rolls, p);
             if (dot(s, s) > 0 || (roll && dot(*roll, *roll) > 0)) {
                 const auto [i, j] = pairs.pairs[p];
-                if (!shared) {
-                    use(i, particles.ids[static_cast<std::size_t>(j)], s, roll);
-                    continue;
-                }
-                // Either may go to another rank, and takes what it knows along.
                 if (i < owned) use(i, particles.ids[static_cast<std::size_t>(j)], s, roll);
-                if (j < owned) use(j, particles.ids[static_cast<std::size_t>(i)], s, roll);
+                if (j < owned && to_go) use(j, particles.ids[static_cast<std::size_t>(i)], s, roll);
             }
         }
         for (const auto& w : walls) {
@@ -162,7 +157,7 @@ void bed::implementation::refresh_lists() {
         }
         travelled = std::fmax(std::sqrt(among->max(farthest)), wall_travelled);
     }
-    if (!listed || travelled > 0.9 * limit) rebuild(remember(), everyone());
+    if (!listed || travelled > 0.9 * limit) rebuild(remember(shared), everyone());
 }
 
 void bed::implementation::add_forces(double step) {

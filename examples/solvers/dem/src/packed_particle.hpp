@@ -21,8 +21,8 @@ struct packed_particle {
 };
 static_assert(sizeof(packed_particle) == 30 * 8);
 
-/// Puts a particle of the store and its row of the history behind what the archive holds.
-inline void pack(const store& all, index particle, const history& past, writer& archive) {
+/// Puts one particle of the store and its row of the history behind what the archive holds.
+inline void pack_one(const store& all, index particle, const history& past, writer& archive) {
     const auto i = static_cast<std::size_t>(particle);
     const sphere& s = all.spheres[i];
     const motion& m = all.motions[i];
@@ -37,15 +37,24 @@ inline void pack(const store& all, index particle, const history& past, writer& 
     }
 }
 
-/// Takes particles until the archive ends: behind the owned ones of a store without ghosts, and rows behind the history's.
+/// Puts particles, their number first.
+inline void pack(const store& all, const std::vector<index>& particles, const history& past, writer& archive) {
+    archive(static_cast<std::uint64_t>(particles.size()));
+    for (const index i : particles) pack_one(all, i, past, archive);
+}
+
+/// Takes what pack() put: behind the owned ones of a store without ghosts, and rows behind the history's.
 inline void unpack(reader& archive, store& all, history& past) {
+    std::uint64_t count = 0;
+    archive(count);
+    std::size_t i = all.owned;
+    all.owned += static_cast<std::size_t>(count);
+    all.resize(all.owned);
     std::vector<history::entry> entries;
     std::vector<vector3> rolls;
-    while (!archive.at_end()) {
+    for (; i < all.owned; ++i) {
         packed_particle p;
         archive(p);
-        const std::size_t i = all.owned++;
-        all.resize(all.owned);
         all.spheres[i] = {p.centre, p.radius};
         all.motions[i] = {p.velocity, p.inverse_mass, p.spin, p.inverse_inertia};
         all.loads[i] = {p.force, 0, p.torque, 0};

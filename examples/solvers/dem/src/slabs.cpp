@@ -44,16 +44,21 @@ void slabs::balance(const store& particles, const std::vector<index>& kept) {
 }
 
 void slabs::migrate(store& particles, history& past, std::vector<index>& kept) const {
-    std::vector<writer> to(static_cast<std::size_t>(among_->size()));
+    std::vector<std::vector<index>> to(static_cast<std::size_t>(among_->size()));
+    for (const index k : kept)
+        to[static_cast<std::size_t>(owner_of(particles.spheres[static_cast<std::size_t>(k)].centre))].push_back(k);
     std::vector<index> staying;
-    for (const index k : kept) {
-        const int owner = owner_of(particles.spheres[static_cast<std::size_t>(k)].centre);
-        if (owner == among_->rank()) staying.push_back(k);
-        else pack(particles, k, past, to[static_cast<std::size_t>(owner)]);
-    }
     std::vector<parcel<char>> outgoing;
-    for (std::size_t r = 0; r < to.size(); ++r)
-        if (!to[r].out.empty()) outgoing.push_back({static_cast<int>(r), std::move(to[r].out)});
+    for (int r = 0; r < among_->size(); ++r) {
+        std::vector<index>& theirs = to[static_cast<std::size_t>(r)];
+        if (r == among_->rank()) {
+            staying = std::move(theirs);
+        } else if (!theirs.empty()) {
+            writer archive;
+            pack(particles, theirs, past, archive);
+            outgoing.push_back({r, std::move(archive.out)});
+        }
+    }
     for (const auto& from : among_->exchange(std::move(outgoing))) {
         const auto first = static_cast<index>(particles.owned);
         reader archive(from.values.data(), from.values.size());

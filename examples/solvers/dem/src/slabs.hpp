@@ -16,6 +16,11 @@ class slabs {
     explicit slabs(const decomposition& spread);
 
     int axis() const { return axis_; }
+    const std::vector<double>& cuts() const { return cuts_; }
+    /// Cuts of an earlier time, if they are those of so many ranks.
+    void set_cuts(const std::vector<double>& cuts) {
+        if (cuts.size() == cuts_.size()) cuts_ = cuts;
+    }
     int owner_of(const vector3& x) const;
     bool is_mine(const vector3& x) const { return owner_of(x) == among_->rank(); }
 

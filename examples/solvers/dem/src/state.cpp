@@ -114,11 +114,11 @@ std::vector<char> bed::state() const {
     archive(made_with);
     archive(part{self.among->rank(), self.among->size(), self.everybody});
     implementation::each_part(common, self);
+    common(self.slabs.cuts());
     archive(common.out);
     for (const auto& w : self.walls) archive(w.reaction);  // what this part has of it
     archive(self.particles.pushed);
-    const detail::history past = self.remember();
-    for (index i = 0; i < size(); ++i) detail::pack(self.particles, i, past, archive);
+    detail::pack(self.particles, self.everyone(), self.remember(true), archive);
     const std::uint64_t sum = checksum(archive.out.data(), archive.out.size());
     archive(sum);
     return std::move(archive.out);
@@ -159,6 +159,7 @@ void bed::restore_parts(const std::vector<std::vector<char>>& states) {
                 read.particles.outer_forces.resize(read.particles.owned);
             }
             detail::unpack(archive, read.particles, past);
+            if (!archive.at_end()) throw state_error("hearth: the state of a bed is longer than it should be");
         }
     } catch (const state_error& e) {
         wrong = e.what();
@@ -169,6 +170,9 @@ void bed::restore_parts(const std::vector<std::vector<char>>& states) {
     common = self.among->gather(common);
     detail::reader archive(common.data(), common.size());
     implementation::each_part(archive, read);
+    std::vector<double> cuts;
+    archive(cuts);
+    read.slabs.set_cuts(cuts);
 
     // Lists as they were made, then everybody back to where it is.
     const auto swap_places = [&] {

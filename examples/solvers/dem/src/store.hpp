@@ -29,17 +29,18 @@ struct store {
 
     std::size_t total() const { return spheres.size(); }
 
+    /// Takes no more memory than is asked for: growth comes with a rebuild of the lists, which costs more than a copy.
     void resize(std::size_t total) {
-        spheres.resize(total);
-        motions.resize(total);
-        loads.resize(total);
-        leads.resize(total);
-        ids.resize(total);
-        temperatures.resize(total);
-        flights.resize(total, in_flight);
-        near_places.resize(total, -1);
-        if (pushed) outer_forces.resize(total);
-        if (built_goes_along) built.resize(total);
+        fit(spheres, total);
+        fit(motions, total);
+        fit(loads, total);
+        fit(leads, total);
+        fit(ids, total);
+        fit(temperatures, total);
+        fit(flights, total, in_flight);
+        fit(near_places, total, index{-1});
+        if (pushed) fit(outer_forces, total);
+        if (built_goes_along) fit(built, total);
     }
 
     void drop_ghosts() { resize(owned); }
@@ -69,6 +70,12 @@ struct store {
     }
 
   private:
+    template <class Value>
+    static void fit(std::vector<Value>& values, std::size_t total, const Value& filler = {}) {
+        values.reserve(total);
+        values.resize(total, filler);
+    }
+
     template <class Value>
     static void permute(std::vector<Value>& values, const std::vector<index>& order, std::size_t kept) {
         std::vector<bool> done(order.size(), false);
