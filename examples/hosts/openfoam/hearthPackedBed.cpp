@@ -31,41 +31,12 @@
 #include <hearth/transfer/drag.hpp>
 #include <hearth/voidage/transfer_operator.hpp>
 
+#include "gas_at_spheres.hpp"
 #include "read_particles.hpp"
 
 #include <array>
 #include <variant>
 #include <vector>
-
-namespace host {
-
-using point = std::array<double, 3>;
-
-/// The gas as each sphere sees it, and what it receives there.
-struct gas {
-    double viscosity, conductivity, specific_heat;
-    std::vector<double> void_fraction, density, temperature;
-    std::vector<point> velocity;  // interstitial
-    std::vector<point> force;
-};
-
-}  // namespace host
-
-template <>
-struct hearth::particle_traits<host::gas> {
-    using index = std::size_t;
-    using scalar = double;
-    static index particle_count(const host::gas& g) { return g.density.size(); }
-    static double get(quantity::void_fraction, const host::gas& g, index i) { return g.void_fraction[i]; }
-    static double get(quantity::gas_density, const host::gas& g, index i) { return g.density[i]; }
-    static double get(quantity::gas_viscosity, const host::gas& g, index) { return g.viscosity; }
-    static double get(quantity::gas_conductivity, const host::gas& g, index) { return g.conductivity; }
-    static double get(quantity::gas_specific_heat, const host::gas& g, index) { return g.specific_heat; }
-    static double get(quantity::gas_temperature, const host::gas& g, index i) { return g.temperature[i]; }
-    static const host::point& get(quantity::gas_velocity, const host::gas& g, index i) { return g.velocity[i]; }
-    static host::point get(quantity::pressure_gradient, const host::gas&, index) { return {}; }  // paid with the drag
-    static void add(quantity::gas_force, host::gas& g, index i, const host::point& newtons) { g.force[i] = newtons; }
-};
 
 namespace {
 
@@ -184,7 +155,7 @@ class packed_bed {
     hearth::transfer_operator<Mesh, Communicator> transfer_;
     std::vector<double> mass_, temperature_, heat_rate_, force_;
     hearth::strided_cloud<> cloud_;
-    host::gas gas_{};
+    host::gas_at_spheres gas_{};
     double rest_[3] = {0, 0, 0};
     scalar taken_ = 0, given_ = 0;
 };

@@ -44,5 +44,7 @@ int main(int argc, char* argv[]) {
     const bool passed = Pstream::parRun()
                             ? conforms(hearth::openfoam::distributed_mesh(mesh), hearth::mpi::communicator{}, runTime, mesh)
                             : conforms(mesh, hearth::serial_communicator{}, runTime, mesh);
-    return returnReduce(passed, andOp<bool>()) ? 0 : 1;
+    // OpenFOAM's argList ends the program with 0, whatever main returns.
+    if (!returnReduce(passed, andOp<bool>())) FatalErrorInFunction << "does not conform" << Foam::exit(FatalError);
+    return 0;
 }
