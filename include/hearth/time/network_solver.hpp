@@ -20,11 +20,12 @@ namespace detail {
 
 /// diagonal_i x_i + sum_j link_ij (x_i - x_j) = right_i, over the pairs of a list.
 ///
-/// Each pair stands once, in the row of its first particle, so that a sweep over the rows is half of a Gauss-Seidel
+/// Each pair stands once, in the row of its lower particle, so that a sweep over the rows is half of a Gauss-Seidel
 /// step.  Conjugate gradients are preconditioned by symmetric successive over-relaxation in the form of Eisenstat
 /// (SIAM J. Sci. Stat. Comput. 2 (1981) 1), whose two sweeps are the product with the matrix as well: an iteration
 /// visits each pair twice, as the plain product does for both its ends, and a third of the iterations of a diagonal
-/// preconditioner remains.  Between ranks the preconditioner lets go; the matrix does not.
+/// preconditioner remains.  It reads fastest where particles near each other have near indices.  Between ranks the
+/// preconditioner lets go; the matrix does not.
 class network_system {
   public:
     std::vector<double> diagonal;  ///< without the links; > 0 [W/K]
