@@ -50,10 +50,12 @@ def conductivity(tables, to):
 
     rows = table(tables / "exchange.txt")
     known = [(0.57671, 1.06765), (0.59292, 1.04145), (0.61780, 1.00659), (0.63687, 0.97567)]
-    right.plot(*zip(*known), "k-", lw=1, label="view factors by rays")
+    solid, factor = zip(*known)
+    right.fill_between(solid, [0.97 * f for f in factor], [1.03 * f for f in factor], color=GREY, alpha=0.2, lw=0)
+    right.plot(solid, factor, "k-", lw=1, label="view factors by rays, 3 %")
     right.plot(column(rows, "solid"), column(rows, "cutoff_2.5"), "o", color=BLUE, ms=5, label="list to 2.5 d")
     right.plot(column(rows, "solid"), column(rows, "cutoff_4"), "s", color=RED, ms=5, mfc="none", label="list to 4 d")
-    right.set(xlabel="solid fraction [-]", ylabel="exchange factor $k_{rad} / 4 \\sigma d T^3$ [-]", ylim=(0.9, 1.15),
+    right.set(xlabel="solid fraction [-]", ylabel="exchange factor [-]", ylim=(0.9, 1.15),
               title="Radiation alone")
     right.legend(fontsize=8)
     figure.savefig(to, metadata={"Date": None})
@@ -69,11 +71,12 @@ def accuracy(tables, to):
                                           ("modulus", "modulus of the motion [Pa]"))):
         runs = [row for row in rows if row["what"] == what]
         for name, label, colour, marker in quantities:
-            axis.scatter(column(runs, "seconds"), [100 * abs(row[name] / best[name] - 1) for row in runs], color=colour,
+            axis.scatter(column(runs, "value"), [100 * abs(row[name] / best[name] - 1) for row in runs], color=colour,
                          marker=marker, s=22, label=label)
         for row in runs:
-            axis.annotate(f"{row['value']:.3g}", (row["seconds"], 0.012), fontsize=7, ha="center", color=GREY)
-        axis.set(xscale="log", yscale="log", xlabel="run time [s]", title=title, ylim=(0.01, 100))
+            axis.annotate(f"{row['seconds']:.1f} s", (row["value"], 0.013), fontsize=7, ha="center", color=GREY)
+        axis.set(xscale="log", yscale="log", xlabel=title, ylim=(0.01, 100))
+        axis.margins(x=0.15)
     axes[0].set_ylabel("difference to the reference [%]")
     axes[0].legend(fontsize=7)
     figure.savefig(to, metadata={"Date": None})

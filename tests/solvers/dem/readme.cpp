@@ -9,6 +9,7 @@
 #include <hearth/transfer/radiation.hpp>
 
 #include <hearth/dem/feed.hpp>
+#include <hearth/dem/recording.hpp>
 #include <hearth/dem/thermal_bed.hpp>
 
 TEST_CASE("the example of the README fills, discharges and links a small shaft") {
@@ -37,4 +38,20 @@ TEST_CASE("the example of the README fills, discharges and links a small shaft")
     CHECK(surface_level(shaft, inside) > 0.12);
     CHECK(sink.now().taken > 0.05);
     CHECK(links.pairs.size() > 10 * static_cast<std::size_t>(shaft.size()));
+    // [record]
+    recorder watch({inside});
+    while (watch.mass_left() < 0.2) {                                    // [kg]; better what lies in several diameters
+        shaft.advance(100);
+        source.update(shaft, 100 * settings.step);
+        sink.update(shaft, 100 * settings.step);
+        watch.observe(shaft);
+    }
+    recorded_bed later(std::make_shared<recording>(watch.finish()), surroundings::of(shaft), 0.5);
+    std::vector<double> temperature(later.masses().size(), 300.0);       // whatever belongs to particles
+    const passage moved = later.advance(60.0);                           // a minute of the process
+    moved.carry(temperature, 300.0);                                     // by which all have left and others have come
+    // [record]
+    CHECK(later.now().out + later.now().due == doctest::Approx(0.5 * 60).epsilon(1e-12));
+    CHECK(moved.left.size() > 1000);
+    CHECK(temperature.size() == static_cast<std::size_t>(later.size()));
 }
