@@ -30,11 +30,13 @@ bool is_the_papers(const settings& scene) {
            same(scene.burners.height, paper.burners.height) && scene.burners.count == paper.burners.count;
 }
 
+const char* word(bed_packing p) { return p == bed_packing::dem ? "packed by DEM" : "on a lattice"; }
+
 const char* word(bed_motion m) {
     switch (m) {
-        case bed_motion::frozen: return "a bed that rests";
-        case bed_motion::plug: return "a lattice of parcels that sinks as a plug";
-        case bed_motion::recorded: return "packed by DEM, then moved by its recorded motion";
+        case bed_motion::frozen: return "at rest";
+        case bed_motion::plug: return "sinking as a plug";
+        case bed_motion::recorded: return "moved by recorded DEM";
         case bed_motion::dem: return "moved by DEM throughout";
     }
     return "";
@@ -64,8 +66,8 @@ std::string expectation(const settings& scene, const plan& planned) {
     out += print("  shaft      %.4g m high, %.4g m wide, %d burners at %.4g m\n", scene.shaft.height, scene.shaft.diameter,
                  scene.burners.count, scene.burners.height);
     out += print("  gas        %lld cells, %s\n", static_cast<long long>(planned.cells), word(scene.physics.combustion));
-    out += print("  bed        %lld parcels that stand for %lld particles, %s\n", static_cast<long long>(planned.parcels),
-                 static_cast<long long>(planned.particles), word(scene.bed.motion));
+    out += print("  bed        %lld parcels that stand for %lld particles, %s, %s\n", static_cast<long long>(planned.parcels),
+                 static_cast<long long>(planned.particles), word(scene.bed.packing), word(scene.bed.motion));
     out += print("  couplings  %d over %.3g residence times\n", planned.couplings, scene.time.residence_times);
     out += print("  expected   %s of memory, %s on one core (+-50 %%)\n", size_of(planned.memory).c_str(), duration(planned.seconds).c_str());
     if (!planned.left_out.empty()) out += "\nLeft out:\n";
@@ -102,7 +104,11 @@ std::string comparison(const settings& scene, const summary& s) {
     row("nitric oxide, dry, at 11 % O2", "-", s.nitric_oxide_outlet, 1, "%.0f", "mg/Nm3");
     summary::number share;
     if (s.enthalpy_imbalance && s.fuel_power && *s.fuel_power > 0) share = *s.enthalpy_imbalance / *s.fuel_power;
-    row("enthalpy imbalance over the fuel power", "-", share, 100, "%.2f", "%");
+    row("steady enthalpy imbalance over fuel power", "-", share, 100, "%.2f", "%");
+    summary::number audit;
+    if (s.enthalpy_audit && s.fuel_power && *s.fuel_power > 0) audit = *s.enthalpy_audit / *s.fuel_power;
+    row("  with what the bed stores", "-", audit, 100, "%.3f", "%");
+    row("run time", "-", s.wall_time, 1, "%.0f", "s");
     if (paper) {
         out +=
             "\nPaper: Spijker, Pollhammer, Raupenstrauch (2023), doi:10.1002/ceat.202200617.  It leaves open, and this run assumes:\n"

@@ -111,7 +111,9 @@ std::string reason(const std::string& key, const settings& scene) {
     if (is("carbon_monoxide") && scene.physics.combustion == burning::mixed_is_burnt) {
         return "physics.combustion = \"mixed_is_burnt\" knows no carbon monoxide";
     }
-    if (is("product_share") || is("median_time") || is("solids_outlet")) return "no solids have left the furnace yet";
+    if (is("solids_outlet")) return "no solids have left the furnace yet";
+    if (is("product_share") || is("median_time")) return "no solids have come all the way from above the burners to the bottom yet";
+    if (is("centre_minus_wall")) return "no particles in the centre or at the wall at that height";
     return "this scene does not compute it";
 }
 
