@@ -5,10 +5,14 @@
 #include <doctest/doctest.h>
 
 #include <hearth/closure/ergun.hpp>
+#include <hearth/closure/feng_han.hpp>
 #include <hearth/closure/gunn.hpp>
+#include <hearth/closure/zhang.hpp>
 #include <hearth/scene/scene.hpp>
+#include <hearth/transfer/conduction.hpp>
 #include <hearth/transfer/convection.hpp>
 #include <hearth/transfer/drag.hpp>
+#include <hearth/transfer/radiation.hpp>
 
 #include "support/warm_bed.hpp"
 
@@ -69,6 +73,25 @@ TEST_CASE("needs: a host without temperature runs the cold scene and is known no
     (void)cold{drag{closure::ergun{}}}.accumulate(cloud, gas);
     CHECK(cloud.pushed[2] > 0);
     CHECK(gas.pushed[2] < 0);
+}
+
+TEST_CASE("needs: a list of links asks what its terms ask, no temperature and no neighbours that nobody wants") {
+    using touching = conduction<closure::zhang::constriction>;
+    using shining = radiation<closure::feng_han::monte_carlo_fit>;
+    using wet = convection<closure::gunn>;
+    static_assert(std::is_same_v<link_needs<touching>::reads, quantities<quantity::radius, quantity::conductivity>>);
+    static_assert(std::is_same_v<link_needs<shining, wet>::reads, quantities<quantity::radius>>);
+    static_assert(std::is_same_v<link_needs<wet>::reads, quantities<>>);
+    static_assert(std::is_same_v<link_needs<film_conduction<>>::gas_reads,
+                                 quantities<quantity::void_fraction, quantity::gas_conductivity>>);
+    // cold_cloud knows its radius; neither it nor cold_gas knows who touches whom.
+    static_assert(!link_needs<shining>::are_met_by<cold_cloud, cold_cloud, no_gas>());
+    static_assert(link_needs<shining>::are_met_by<cold_cloud, hearth_test::warm_bed, no_gas>());
+    static_assert(!link_needs<touching>::are_met_by<cold_cloud, hearth_test::warm_bed, no_gas>());
+    static_assert(!link_needs<film_conduction<>>::are_met_by<hearth_test::warm_bed, hearth_test::warm_bed, no_gas>());
+    const auto list = cold{drag{closure::ergun{}}}.links(cold_cloud{}, cold_gas{});
+    CHECK(list.pairs.empty());
+    CHECK(list.parts.empty());
 }
 
 TEST_CASE("needs: the message names quantities with symbols and units") {
