@@ -31,7 +31,11 @@ inline auto physics() {
 
 /// The box of in.pack: a hot floor, cold sides.
 inline std::vector<hearth::plane_wall> walls() {
-    return {{{0, 0, 1}, 0, 900}, {{1, 0, 0}, 0, 300}, {{-1, 0, 0}, -0.06, 300}, {{0, 1, 0}, 0, 300}, {{0, -1, 0}, -0.06, 300}};
+    return {{{0, 0, 1}, 0, 900},
+            {{1, 0, 0}, 0, 300},
+            {{-1, 0, 0}, -0.06, 300},
+            {{0, 1, 0}, 0, 300},
+            {{0, -1, 0}, -0.06, 300}};
 }
 
 struct row {
@@ -44,7 +48,8 @@ inline void write(const std::string& name, const std::vector<row>& rows) {
     std::ofstream file(name);
     file << std::setprecision(17);
     for (const row& r : rows) {
-        file << r.id << ' ' << r.x << ' ' << r.y << ' ' << r.z << ' ' << r.radius << ' ' << r.temperature << ' ' << r.heat << '\n';
+        file << r.id << ' ' << r.x << ' ' << r.y << ' ' << r.z << ' ' << r.radius << ' ' << r.temperature << ' '
+             << r.heat << '\n';
     }
     if (!file) throw std::runtime_error("cannot write " + name);
 }

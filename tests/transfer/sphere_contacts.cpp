@@ -86,7 +86,8 @@ TEST_CASE("sphere contacts: overlaps, forces and points of every touching pair, 
             // The point divides the overlap in two halves, on the line of centres.
             for (const int k : {i, j}) {
                 const double* c = h.cloud.position.row(k);
-                const double away = std::hypot(touch.position[0] - c[0], touch.position[1] - c[1], touch.position[2] - c[2]);
+                const double away =
+                    std::hypot(touch.position[0] - c[0], touch.position[1] - c[1], touch.position[2] - c[2]);
                 CHECK(std::abs(away - std::abs(h.cloud.radius[k] - touch.overlap / 2)) < 1e-17);
             }
         });

@@ -60,7 +60,7 @@ double hearth_gunn_nusselt(double void_fraction, double reynolds, double prandtl
 
 double hearth_ergun_gradient(double void_fraction, double superficial_velocity, double density, double viscosity,
                              double diameter) {
-    const hearth::closure::bed_flow<double> flow{void_fraction, superficial_velocity / void_fraction, density, viscosity,
-                                                 diameter};
+    const hearth::closure::bed_flow<double> flow{void_fraction, superficial_velocity / void_fraction, density,
+                                                 viscosity, diameter};
     return hearth::closure::pressure_gradient(hearth::closure::ergun{}, flow);
 }

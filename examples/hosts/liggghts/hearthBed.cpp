@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // LIGGGHTS packs a bed, hearth heats it: radiation, conduction with the true modulus, Time Scale Splitting.
 //
-//     hearthBed in.pack bed.txt            writes a line an atom: id x y z radius temperature, and hearth's heat rate [W]
+//     hearthBed in.pack bed.txt            writes a line an atom: id x y z radius temperature, and hearth's heat rate
+//     [W]
 //
 // Before, it holds LIGGGHTS' own `fix heat/gran/conduction` against hearth's conduction.  Where hearth has the
 // conductance 2 k a of the contact's circle, a^2 = R* overlap (Batchelor, O'Brien 1977, doi:10.1098/rspa.1977.0100),
@@ -74,7 +75,8 @@ void compare_forces(void* host, const Contacts& contacts, const std::vector<std:
         theirs.push_back({std::min(row[0], row[1]), std::max(row[0], row[1]), std::hypot(row[3], row[4], row[5])});
     }
     hearth::contact_traits<Contacts>::for_each_contact(contacts, [&](int i, int j, const hearth::contact& touch) {
-        const auto p = static_cast<double>(ids[static_cast<std::size_t>(i)]), q = static_cast<double>(ids[static_cast<std::size_t>(j)]);
+        const auto p = static_cast<double>(ids[static_cast<std::size_t>(i)]),
+                   q = static_cast<double>(ids[static_cast<std::size_t>(j)]);
         ours.push_back({std::min(p, q), std::max(p, q), touch.normal_force});
     });
     std::sort(theirs.begin(), theirs.end());
@@ -92,7 +94,9 @@ void compare_forces(void* host, const Contacts& contacts, const std::vector<std:
 }
 
 /// Warmer upwards [K].
-double initial_temperature(const hearth::strided_cloud<>& atoms, std::int64_t i) { return 300 + 4000 * atoms.position.row(i)[2]; }
+double initial_temperature(const hearth::strided_cloud<>& atoms, std::int64_t i) {
+    return 300 + 4000 * atoms.position.row(i)[2];
+}
 
 void heat_bed(void* host, const char* output) {
     // The bed hangs still from here on; only LIGGGHTS' heat goes on.
@@ -117,7 +121,8 @@ void heat_bed(void* host, const char* output) {
     const std::vector<double> expected = liggghts_conduction(contacts, initial);
     double off = 0;
     for (std::size_t i = 0; i < count; ++i) off = std::max(off, std::abs(theirs[i] - expected[i]));
-    check(off < round_off * largest(expected), "LIGGGHTS' conduction, off its formula by, of the largest", off / largest(expected));
+    check(off < round_off * largest(expected), "LIGGGHTS' conduction, off its formula by, of the largest",
+          off / largest(expected));
     for (std::size_t i = 0; i < count; ++i) atoms.temperature[static_cast<std::ptrdiff_t>(i)] = initial[i];
 
     const auto physics = bed::physics();
@@ -125,14 +130,17 @@ void heat_bed(void* host, const char* output) {
     std::vector<double> ours(count, 0.0), all(count, 0.0);
     for (std::size_t k = 0; k < links.parts[0].pairs; ++k) {  // the pairs of conduction stand first
         const auto& pair = links.pairs[k];
-        const double q = pair.link.conductance * (initial[static_cast<std::size_t>(pair.second)] - initial[static_cast<std::size_t>(pair.first)]);
+        const double q = pair.link.conductance * (initial[static_cast<std::size_t>(pair.second)] -
+                                                  initial[static_cast<std::size_t>(pair.first)]);
         ours[static_cast<std::size_t>(pair.first)] += q;
         ours[static_cast<std::size_t>(pair.second)] -= q;
     }
     off = 0;
-    for (std::size_t i = 0; i < count; ++i) off = std::max(off, std::abs(theirs[i] - std::sqrt(2 * std::acos(-1.0)) * ours[i]));
+    for (std::size_t i = 0; i < count; ++i)
+        off = std::max(off, std::abs(theirs[i] - std::sqrt(2 * std::acos(-1.0)) * ours[i]));
     // The square of an overlap, of the true modulus 1e-6 of the radius, is in their area only.
-    check(off < 1e-5 * largest(theirs), "LIGGGHTS' conduction is sqrt(2 pi) times ours; off, of the largest", off / largest(theirs));
+    check(off < 1e-5 * largest(theirs), "LIGGGHTS' conduction is sqrt(2 pi) times ours; off, of the largest",
+          off / largest(theirs));
     std::printf("factor %.6f, sqrt(2 pi) = %.6f\n", largest(theirs) / largest(ours), std::sqrt(2 * std::acos(-1.0)));
 
     // Heat rates of all of hearth's terms, for other hosts to compare with.
@@ -161,7 +169,8 @@ void heat_bed(void* host, const char* output) {
     const double step = 0.1;  // of the model [s]
     for (int n = 0; n < 180; ++n) {
         const auto baths = physics.baths(atoms, contacts, hearth::no_gas{}, links, clock);
-        const auto report = network.advance(links.pairs, baths, mass, [&](std::size_t) { return glass; }, clock, step, temperature, taken);
+        const auto report = network.advance(
+            links.pairs, baths, mass, [&](std::size_t) { return glass; }, clock, step, temperature, taken);
         if (!report.converged) ++failures;
         for (const auto& particle : taken) {
             ledger.particle(particle.heat, clock.factor(0));
@@ -169,7 +178,8 @@ void heat_bed(void* host, const char* output) {
         }
     }
     const auto [low, high] = std::minmax_element(temperature.begin(), temperature.end());
-    check(ledger.relative_imbalance() < 1e-12, "after an hour of the bed: energy off by, of what was moved", ledger.relative_imbalance());
+    check(ledger.relative_imbalance() < 1e-12, "after an hour of the bed: energy off by, of what was moved",
+          ledger.relative_imbalance());
     check(*low > 290 && *high < 900, "hottest particle, below the floor's 900 K", *high);
     for (std::size_t i = 0; i < count; ++i) atoms.temperature[static_cast<std::ptrdiff_t>(i)] = temperature[i];
     lammps_command(host, "run 1");  // LIGGGHTS goes on from there

@@ -11,8 +11,8 @@
 //         gas { viscosity 1.8e-5; conductivity 0.026; specificHeat 1005; }
 //     }
 //
-// OpenFOAM's standard solvers know no porosity: their U is superficial, and the gas pays the full pressure drop, which is
-// the drag over the void fraction.  The force is on its secant in U; heat is what the spheres took, to round-off.
+// OpenFOAM's standard solvers know no porosity: their U is superficial, and the gas pays the full pressure drop, which
+// is the drag over the void fraction.  The force is on its secant in U; heat is what the spheres took, to round-off.
 //
 // Linked with OpenFOAM, so the library is under the GPL; this file is not.
 #include "fvCFD.H"
@@ -126,7 +126,9 @@ class packed_bed {
     }
 
     /// Heat into the bed over its acceleration, and heat out of the gas, since the start [J].
-    std::array<scalar, 2> ledger() const { return {returnReduce(taken_, sumOp<scalar>()), returnReduce(given_, sumOp<scalar>())}; }
+    std::array<scalar, 2> ledger() const {
+        return {returnReduce(taken_, sumOp<scalar>()), returnReduce(given_, sumOp<scalar>())};
+    }
 
     void write(const fileName& name) const {
         mkDir(name.path());
@@ -201,7 +203,8 @@ class hearthPackedBed : public option {
             bed.heat(rho, db.lookupObject<volVectorField>("U"), db.lookupObject<volScalarField>("T"),
                      mesh_.time().deltaTValue(), heat);
             const auto [taken, given] = bed.ledger();
-            Info << "hearth: bed took " << taken << " J, gas gave " << given << " J, difference " << mag(taken - given) << endl;
+            Info << "hearth: bed took " << taken << " J, gas gave " << given << " J, difference " << mag(taken - given)
+                 << endl;
             if (mesh_.time().writeTime()) bed.write(mesh_.time().timePath() / "hearthParticles");
         });
         eqn.source() -= heat * mesh_.V();
@@ -212,12 +215,16 @@ class hearthPackedBed : public option {
   private:
     template <class Body>
     void on_bed(Body&& body) {
-        if (bed_.index() == 1) body(std::get<1>(bed_));
-        else body(std::get<2>(bed_));
+        if (bed_.index() == 1)
+            body(std::get<1>(bed_));
+        else
+            body(std::get<2>(bed_));
     }
 
     autoPtr<distributed> cells_;
-    std::variant<std::monostate, packed_bed<fvMesh, hearth::serial_communicator>, packed_bed<distributed, hearth::mpi::communicator>> bed_;
+    std::variant<std::monostate, packed_bed<fvMesh, hearth::serial_communicator>,
+                 packed_bed<distributed, hearth::mpi::communicator>>
+        bed_;
     label heated_ = -1;
 };
 

@@ -29,13 +29,14 @@ volScalarField make_field(const Foam::word& name, const fvMesh& mesh) {
 
 /// What each method costs and keeps.
 void report(const volScalarField& field) {
-    Info << field.name() << ": volume " << gSum(scalarField(field.primitiveField() * field.mesh().V())) << " m3, largest fraction "
-         << gMax(field) << nl;
+    Info << field.name() << ": volume " << gSum(scalarField(field.primitiveField() * field.mesh().V()))
+         << " m3, largest fraction " << gMax(field) << nl;
 }
 
 /// Largest difference from the field of an earlier run.
 scalar difference(const volScalarField& field) {
-    const volScalarField before(IOobject(field.name(), field.instance(), field.db(), IOobject::MUST_READ), field.mesh());
+    const volScalarField before(IOobject(field.name(), field.instance(), field.db(), IOobject::MUST_READ),
+                                field.mesh());
     return gMax(scalarField(mag(field.primitiveField() - before.primitiveField())));
 }
 
@@ -66,8 +67,9 @@ bool write_fractions(const fvMesh& mesh, const Mesh& cells, const Communicator& 
         if (compare) largest = max(largest, difference(*field));
         field->write();
     }
-    Info << "smoother: " << vfs.sweeps << " sweeps, " << Foam::label(vfs.smoothed_cells) << " cells smoothed; kernel: width "
-         << kernel.width << " m, " << kernel.terms << " terms, " << kernel.capped_volume << " m3 capped" << endl;
+    Info << "smoother: " << vfs.sweeps << " sweeps, " << Foam::label(vfs.smoothed_cells)
+         << " cells smoothed; kernel: width " << kernel.width << " m, " << kernel.terms << " terms, "
+         << kernel.capped_volume << " m3 capped" << endl;
     if (compare) Info << "largest difference " << largest << " of a cell's volume" << endl;
     return largest <= 1e-13;
 }
@@ -77,9 +79,9 @@ bool write_fractions(const fvMesh& mesh, const Mesh& cells, const Communicator& 
 int main(int argc, char* argv[]) {
     argList::addOption("particles", "file", "x y z radius of each particle [m]");
     argList::addBoolOption("compare", "with the fields that an earlier run wrote");
-    #include "setRootCase.H"
-    #include "createTime.H"
-    #include "createMesh.H"
+#include "setRootCase.H"
+#include "createTime.H"
+#include "createMesh.H"
     const particle_list particles = read_particles(args.opt<fileName>("particles"));
     const bool compare = args.found("compare");
     bool same = false;

@@ -9,7 +9,7 @@
 
 /// What the OpenFOAM hosts share: a list of spheres.  Include after fvCFD.H.
 struct particle_list {
-    std::vector<double> rows;        // x, y, z, radius of each
+    std::vector<double> rows;  // x, y, z, radius of each
     std::vector<std::int64_t> ids;
 
     hearth::strided_cloud<double> view() const {
@@ -36,7 +36,8 @@ inline particle_list read_particles(const Foam::fileName& name) {
         list.ids.push_back(id);
     }
     if (!file.eof()) {
-        FatalErrorInFunction << name << ": particle " << Foam::label(id) << " is not x y z radius" << Foam::exit(Foam::FatalError);
+        FatalErrorInFunction << name << ": particle " << Foam::label(id) << " is not x y z radius"
+                             << Foam::exit(Foam::FatalError);
     }
     return list;
 }

@@ -4,7 +4,8 @@
 //
 //     hearthFoam                    mpirun -np 2 hearthFoam -parallel
 //
-// The gas is of constant properties and pays e grad p (model A); the spheres pay the rest.  Settings: constant/coupling.
+// The gas is of constant properties and pays e grad p (model A); the spheres pay the rest.  Its settings are in
+// constant/coupling, the script of LIGGGHTS too; tests/hosts/openfoam_liggghts has two cases.
 //
 // Linked with OpenFOAM and LIGGGHTS, so the program is under the GPL; this file is not.
 #include "spheres.hpp"
@@ -27,22 +28,22 @@ GeometricField<Type, fvPatchField, volMesh> made_field(const char* name, const f
 void solve(Time& time, const fvMesh& mesh) {
     const IOdictionary settings(IOobject("coupling", time.constant(), mesh, IOobject::MUST_READ));
     const dictionary& gas = settings.subDict("gas");
-    const dimensionedScalar rho("rho", dimDensity, gas), nu = dimensionedScalar("viscosity", dimDynamicViscosity, gas) / rho;
+    const dimensionedScalar rho("rho", dimDensity, gas), viscosity("viscosity", dimDynamicViscosity, gas);
     const dimensionedScalar heat_capacity("specificHeat", dimSpecificHeatCapacity, gas);
     const dimensionedScalar conductivity("conductivity", dimPower / dimLength / dimTemperature, gas);
     spheres bed(mesh, settings.subDict("spheres"),
-                {{}, rho.value() * nu.value(), conductivity.value(), heat_capacity.value(), {}, {}, {}, {}, {}},
-                rho.value(),
-                settings.get<vector>("gravity"));
+                {{}, viscosity.value(), conductivity.value(), heat_capacity.value(), {}, {}, {}, {}, {}},
+                rho.value(), settings.get<vector>("gravity"));
 
     volVectorField U = read_field<vector>("U", mesh);  // interstitial
-    volScalarField p = read_field<scalar>("p", mesh), T = read_field<scalar>("T", mesh);  // p over rho, less its static part
+    volScalarField p = read_field<scalar>("p", mesh);  // over rho, less its static part
+    volScalarField T = read_field<scalar>("T", mesh), e = read_field<scalar>("voidFraction", mesh);
     mesh.setFluxRequired(p.name());
-    volScalarField e = read_field<scalar>("voidFraction", mesh);
     bed.place(e);
     surfaceScalarField phi("phi", fvc::interpolate(e) * fvc::flux(U));
     const dimensionSet force_unit = dimForce / dimVolume, heat_unit = dimPower / dimVolume;
-    volScalarField drag = made_field<scalar>("drag", mesh, force_unit / dimVelocity), exchange = made_field<scalar>("exchange", mesh, heat_unit / dimTemperature);
+    volScalarField drag = made_field<scalar>("drag", mesh, force_unit / dimVelocity),
+                   exchange = made_field<scalar>("exchange", mesh, heat_unit / dimTemperature);
     volVectorField force = made_field<vector>("force", mesh, force_unit);
     volScalarField heat = made_field<scalar>("heat", mesh, heat_unit);
 
@@ -54,13 +55,14 @@ void solve(Time& time, const fvMesh& mesh) {
 
         bed.drag(U, drag.primitiveFieldRef(), force.primitiveFieldRef());
         fvVectorMatrix UEqn(fvm::ddt(e, U) - fvm::Sp(filling, U) + fvm::div(phi, U) - fvm::Sp(fvc::div(phi), U) -
-                            fvm::laplacian(e * nu, U) + fvm::Sp(drag / rho, U) - force / rho);
+                            fvm::laplacian(e * viscosity / rho, U) + fvm::Sp(drag / rho, U) - force / rho);
         const volScalarField rAU("rAU", 1 / UEqn.A());
         const surfaceScalarField e_faces("eFaces", fvc::interpolate(e));
         for (int corrector = 0; corrector < 2; ++corrector) {
             const volVectorField HbyA(constrainHbyA(rAU * UEqn.H(), U, p));
             const surfaceScalarField predicted("predicted", e_faces * fvc::flux(HbyA));
-            fvScalarMatrix pEqn(fvm::laplacian(e_faces * fvc::interpolate(rAU * e), p) == fvc::div(predicted) + storage * filling);
+            fvScalarMatrix pEqn(fvm::laplacian(e_faces * fvc::interpolate(rAU * e), p) ==
+                                fvc::div(predicted) + storage * filling);
             pEqn.setReference(Pstream::master() ? 0 : -1, 0);
             pEqn.solve();
             phi = predicted - pEqn.flux();
@@ -73,14 +75,18 @@ void solve(Time& time, const fvMesh& mesh) {
                  vectorField((e.primitiveField() - 1) * gradient.primitiveField() * mesh.V()), step);
 
         bed.heat(T, step, exchange.primitiveFieldRef(), heat.primitiveFieldRef());
-        fvScalarMatrix TEqn(rho * heat_capacity * (storage * (fvm::ddt(e, T) - fvm::Sp(filling, T)) + fvm::div(phi, T) - fvm::Sp(fvc::div(phi), T)) -
-                            fvm::laplacian(e * conductivity, T) + fvm::Sp(exchange, T) - heat);
+        fvScalarMatrix TEqn(
+            rho * heat_capacity *
+                (storage * (fvm::ddt(e, T) - fvm::Sp(filling, T)) + fvm::div(phi, T) - fvm::Sp(fvc::div(phi), T)) -
+            fvm::laplacian(e * conductivity, T) + fvm::Sp(exchange, T) - heat);
         TEqn.solve();
-        bed.warm(T, scalarField((exchange.primitiveField() * T.primitiveField() - heat.primitiveField()) * mesh.V() * step));
+        bed.warm(
+            T, scalarField((exchange.primitiveField() * T.primitiveField() - heat.primitiveField()) * mesh.V() * step));
 
         bed.move(step);
         const auto off = bed.imbalance();
-        Info << "hearth: off by, drag " << off[0] << " pressure " << off[1] << " heat " << off[2] << "; from walls " << off[3] << endl;
+        Info << "hearth: off by, drag " << off[0] << " pressure " << off[1] << " heat " << off[2] << "; from walls "
+             << off[3] << endl;
         time.write();
         if (time.writeTime()) bed.write(time.timePath() / "spheres");
     }
@@ -89,10 +95,10 @@ void solve(Time& time, const fvMesh& mesh) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
-    #include "setRootCase.H"
+#include "setRootCase.H"
     if (!Pstream::parRun()) Pstream::initNull();  // OpenFOAM starts MPI only where it is -parallel; LIGGGHTS needs it
-    #include "createTime.H"
-    #include "createMesh.H"
+#include "createTime.H"
+#include "createMesh.H"
     try {
         solve(runTime, mesh);
     } catch (const std::exception& error) {  // on all ranks alike

@@ -32,13 +32,15 @@
 class spheres {
   public:
     /// density [kg/m^3], gravity [m/s^2]; of `gas` the constant properties.
-    spheres(const fvMesh& mesh, const dictionary& dict, const host::gas_at_spheres& gas, double density, const vector& gravity)
+    spheres(const fvMesh& mesh, const dictionary& dict, const host::gas_at_spheres& gas, double density,
+            const vector& gravity)
         : mesh_(mesh),
           gas_(gas),
           density_(density),
           gravity_(gravity),
-          clock_(dict.get<scalar>("acceleration"),
-                 dict.getOrDefault("paperStorage", false) ? hearth::gas_storage::paper : hearth::gas_storage::corrected),
+          clock_(dict.get<scalar>("acceleration"), dict.getOrDefault("paperStorage", false)
+                                                       ? hearth::gas_storage::paper
+                                                       : hearth::gas_storage::corrected),
           at_rest_(dict.getOrDefault("atRest", false)),
           caloric_{{dict.get<scalar>("specificHeat")}},
           cells_(mesh),
@@ -100,7 +102,8 @@ class spheres {
         }
     }
 
-    /// Books what the gas's equations had in each cell [N]: drag, and the share of the pressure that it left to spheres.
+    /// Books what the gas's equations had in each cell [N]: drag, and the share of the pressure that it left to
+    /// spheres.
     void book(const vectorField& drag, const vectorField& pressure, double step) {
         forAll(drag, c) {
             for (direction a = 0; a < 3; ++a) {
@@ -173,8 +176,8 @@ class spheres {
         file.precision(15);
         for (std::size_t i = 0; i < count(); ++i) {
             const double* x = atoms_.position.row(at(i));
-            file << static_cast<label>(ids_[i]) << ' ' << x[0] << ' ' << x[1] << ' ' << x[2] << ' ' << atoms_.velocity.row(at(i))[2] << ' '
-                 << atoms_.temperature[at(i)] << nl;
+            file << static_cast<label>(ids_[i]) << ' ' << x[0] << ' ' << x[1] << ' ' << x[2] << ' '
+                 << atoms_.velocity.row(at(i))[2] << ' ' << atoms_.temperature[at(i)] << nl;
         }
     }
 
@@ -221,7 +224,7 @@ class spheres {
     std::vector<std::int64_t> ids_;
     hearth::strided_cloud<> atoms_;
     std::vector<double> drag_, temperature_, mass_;  // coefficients [kg/s]; [K]; [kg]
-    std::vector<host::point> pushed_;                // drag less coefficient times gas velocity, sign turned [N]
+    std::vector<host::point> pushed_;                // coefficient times true velocity of the sphere [N]
     hearth::gas_exchange exchange_;
     hearth::tssm_ledger drag_book_, pressure_book_, heat_book_, motion_;
 };

@@ -56,7 +56,7 @@ struct pairs {
 /// style: the pair style that moves the atoms, by gran/hertz; skin: as given to LAMMPS' command `neighbor` [m];
 /// effective_modulus: E* of that style [Pa].  Errors: invalid_argument where LAMMPS has no list of this style.
 inline sphere_contacts<pairs> contacts(void* host, const strided_cloud<>& atoms, const std::string& style, double skin,
-                                            double effective_modulus, std::vector<plane_wall> walls = {}) {
+                                       double effective_modulus, std::vector<plane_wall> walls = {}) {
     const int list = lammps_find_pair_neighlist(host, style.c_str(), 1, 0, 0);
     if (list < 0) throw std::invalid_argument("hearth: LAMMPS has no neighbour list of pair style " + style);
     return {atoms, {host, list}, skin, effective_modulus, std::move(walls)};

@@ -27,7 +27,9 @@ inline double* array(void* host, const std::string& name, bool is_fix) {
     if (found == nullptr) throw std::invalid_argument("hearth: LIGGGHTS has no array " + name);
     return static_cast<double*>(found);
 }
-inline double* rows(void* host, const std::string& name) { return *reinterpret_cast<double**>(array(host, name, false)); }
+inline double* rows(void* host, const std::string& name) {
+    return *reinterpret_cast<double**>(array(host, name, false));
+}
 
 /// Atoms with the temperatures and heat rates of `fix heat/gran`, where there is one.
 inline strided_cloud<> atoms(void* host, std::vector<std::int64_t>& ids) {
@@ -61,7 +63,7 @@ struct pairs {
 
 /// effective_modulus: E* of the `model hertz` that moves the atoms [Pa].
 inline sphere_contacts<pairs> contacts(void* host, const strided_cloud<>& atoms, double effective_modulus,
-                                            std::vector<plane_wall> walls = {}) {
+                                       std::vector<plane_wall> walls = {}) {
     const auto* lmp = static_cast<LAMMPS_NS::LAMMPS*>(host);
     return {atoms, {lmp->force->pair->list}, lmp->neighbor->skin, effective_modulus, std::move(walls)};
 }

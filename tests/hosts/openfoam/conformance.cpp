@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// OpenFOAM's mesh under hearth's conformance suite, in the case where it is started; serial or -parallel.  Then the mesh
-// is moved: graphs of it are refused.
+// OpenFOAM's mesh under hearth's conformance suite, in the case where it is started; serial or -parallel.  Then the
+// mesh is moved: graphs of it are refused.
 #include "fvCFD.H"
 
 #include <hearth/adapt/openfoam.hpp>
@@ -38,12 +38,12 @@ bool conforms(const Mesh& cells, const Communicator& ranks, Foam::Time& time, fv
 }  // namespace
 
 int main(int argc, char* argv[]) {
-    #include "setRootCase.H"
-    #include "createTime.H"
-    #include "createMesh.H"
-    const bool passed = Pstream::parRun()
-                            ? conforms(hearth::openfoam::distributed_mesh(mesh), hearth::mpi::communicator{}, runTime, mesh)
-                            : conforms(mesh, hearth::serial_communicator{}, runTime, mesh);
+#include "setRootCase.H"
+#include "createTime.H"
+#include "createMesh.H"
+    const bool passed = Pstream::parRun() ? conforms(hearth::openfoam::distributed_mesh(mesh),
+                                                     hearth::mpi::communicator{}, runTime, mesh)
+                                          : conforms(mesh, hearth::serial_communicator{}, runTime, mesh);
     // OpenFOAM's argList ends the program with 0, whatever main returns.
     if (!returnReduce(passed, andOp<bool>())) FatalErrorInFunction << "does not conform" << Foam::exit(FatalError);
     return 0;

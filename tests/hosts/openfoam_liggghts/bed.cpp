@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The heated bed of Fig. 6 of Spijker et al. (2023, doi:10.1002/ceat.202200617) with and without Time Scale Splitting.
 //     bed SPLIT PLAIN LIMIT      folders of two runs, and how far they may be apart [-], of the inlet's step of 100 K
-// In both folders NAME/spheres hold number, x y z, velocity and temperature: NAME is the model's time, 200 times less in SPLIT.
+// In both folders NAME/spheres hold number, x y z, velocity and temperature: NAME is the model's time, 200 times less
+// in SPLIT.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -82,7 +83,7 @@ int main(int argc, char** argv) {
             std::printf("  %.2f %.2f %.2f", row[0], row[1], row[2]);
         std::printf("\n");
     }
-    std::printf("%d spheres; split from plain by %.2f %%, plain from Schumann's uniform bed by %.2f %% of the step\n", spheres,
-                100 * apart, 100 * from_schumann);
+    std::printf("%d spheres; split from plain by %.2f %%, plain from Schumann's uniform bed by %.2f %% of the step\n",
+                spheres, 100 * apart, 100 * from_schumann);
     return apart < limit && from_schumann < 0.05 ? 0 : 1;
 }

@@ -13,8 +13,8 @@ int main(int argc, char** argv) {
     constexpr double diameter = 0.002, spacing = 0.004, density = 1100, solid_density = 2500, viscosity = 0.02;
     const double volume = std::acos(-1.0) / 6 * diameter * diameter * diameter;
     const double solid = volume / (spacing * spacing * spacing), void_fraction = 1 - solid;
-    // Away from top and bottom everything is uniform.  Gas: e grad p = -n f, so of a sphere's force f - V grad p, f / e is
-    // left of its weight in the liquid: f = e V (rho_s - rho) g.
+    // Away from top and bottom everything is uniform.  Gas: e grad p = -n f, so of a sphere's force f - V grad p, f / e
+    // is left of its weight in the liquid: f = e V (rho_s - rho) g.
     const double drag = void_fraction * volume * (solid_density - density) * 9.81;
     double low = 0, high = 1;  // slip speed [m/s], by bisection
     for (int k = 0; k < 100; ++k) {
