@@ -2,7 +2,9 @@
 #include <mpi.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <string>
 
 #include <hearth/furnace/settings.hpp>
 #include <hearth/io/hdf5_file.hpp>
@@ -15,7 +17,9 @@ int main(int count, char** arguments) {
     const command_or_exit given = read_command_line(count, arguments);
     if (!given.command) return given.exit;
 
-    MPI_Init(&count, &arguments);  // the files are parallel HDF5's
+    // The files are parallel HDF5's, so MPI is needed.  Without mpirun, Open MPI would start a daemon that outlives a kill.
+    if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+    MPI_Init(&count, &arguments);
     int ranks = 1, rank = 0, code = exit_code::failed;
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);

@@ -28,8 +28,7 @@ std::string progress_line(const status& now, double left) {
     if (now.peak_particle_temperature > 0) add("peak %.0f K at %.2f m  ", now.peak_particle_temperature, now.peak_height);
     if (now.offgas_temperature > 0) add("off-gas %.0f K  ", now.offgas_temperature);
     if (now.solids_outlet_temperature > 0) add("product %.0f K  ", now.solids_outlet_temperature);
-    // Of the steady furnace: heat that the bed still stores counts.
-    if (now.fuel_power > 0) add("imbalance %.1f %%", 100 * (now.enthalpy_imbalance + now.particle_enthalpy_gain) / now.fuel_power);
+    if (now.fuel_power > 0) add("heat balanced to %.2f %%", 100 * std::abs(now.enthalpy_imbalance) / now.fuel_power);
     return text;
 }
 

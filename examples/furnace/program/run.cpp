@@ -61,7 +61,7 @@ class session {
             line_.say("goes on from " + command_.restart + ", coupling " + std::to_string(shaft.steps_done()));
         }
         results_ = std::make_unique<results>(command_.output);
-        keep([&] { results_->scene(scene_); });
+        results_->scene(scene_);  // a folder that cannot be written is told at once
         while (!shaft.done()) {
             step(shaft);
             line_.show(shaft.now());
@@ -116,15 +116,15 @@ class session {
         keep([&] { results_->summary_file(shaft, ending, planned_, command_.summary); });
         keep([&] { results_->end(shaft, watched_); });
         write_checkpoint(shaft);
-        std::string pictures = command_.output + "/furnace.png", reason;
+        std::string picture = command_.output + "/furnace.png", reason;
         if (!scene_.output.picture) {
-            pictures = "python3 " + command_.output + "/picture.py draws it";
+            picture = "python3 " + command_.output + "/picture.py draws it";
         } else if (!draw(command_.output, reason)) {
-            pictures = "none: " + reason + "; python3 " + command_.output + "/picture.py draws it then";
+            picture = "none: " + reason;
         }
         if (!command_.quiet) {
             std::printf("\n%s\n%s\nresults  %s\npicture  %s\n", scene_.title.c_str(), comparison(scene_, ending).c_str(),
-                        std::filesystem::absolute(command_.output).lexically_normal().c_str(), pictures.c_str());
+                        std::filesystem::absolute(command_.output).lexically_normal().c_str(), picture.c_str());
         }
         for (const std::string& warning : ending.warnings) std::fprintf(stderr, "furnace: warning: %s\n", warning.c_str());
         if (complete_) return exit_code::done;
