@@ -36,8 +36,8 @@ void describe(Settings& s, Key&& key) {
 
     key("shaft", "height_m", s.shaft.height, range{0.1, 100}, "Height of the shaft");
     key("shaft", "diameter_m", s.shaft.diameter, range{0.05, 20}, "Inner diameter");
-    key("shaft", "hopper_height_m", s.shaft.hopper_height, range{0, 20}, "Height of the modelled stub of the hopper (assumed); 0: none, and the off-gas leaves at the top");
-    key("shaft", "offgas_pipe_diameter_m", s.shaft.offgas_pipe_diameter, range{0.01, 5}, "Side pipe of the off-gas, below the hopper (assumed)");
+    key("shaft", "hopper_height_m", s.shaft.hopper_height, range{0, 20}, "Height of the free space between bed and hopper, with the off-gas pipe (assumed); 0: none, and the off-gas leaves at the top");
+    key("shaft", "offgas_pipe_diameter_m", s.shaft.offgas_pipe_diameter, range{0.01, 5}, "Side pipe of the off-gas, in the free space below the hopper (assumed)");
 
     key("particles", "mass_flow_kg_per_h", s.particles.mass_flow, range{0, 1e6, 1 / 3600.0}, "Solids fed at the top and taken out at the bottom");
     key("particles", "feed_temperature_K", s.particles.feed_temperature, range{200, 3000}, "Temperature of the feed");

@@ -69,7 +69,8 @@ saved_state furnace::parts::save() {
     saved["phase"] = {static_cast<double>(now)};
     saved["burner_flow"] = {shaft.burner_flow()};
     if (now == phase::fill) {
-        saved["filling"] = to_numbers(fill->state());
+        saved["filling/gravity"] = {fill->gravity()};
+        saved["filling/state"] = to_numbers(fill->state());
         return saved;
     }
     saved["bed/spheres"] = to_flat(bed->spheres());
@@ -88,7 +89,7 @@ void furnace::parts::restore(const saved_state& saved) {
     const auto then = static_cast<phase>(find("phase").at(0));
     if (then == phase::fill) {
         if (!fill) throw bad_scene("the state is that of a bed being filled; this furnace has one");
-        fill->restore(to_bytes(find("filling")));
+        fill->restore(find("filling/gravity").at(0), to_bytes(find("filling/state")));
         return;
     }
     static_cast<void>(find("burner_flow"));

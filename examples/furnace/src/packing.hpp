@@ -21,10 +21,10 @@ dem::contact_settings contact_of(const settings& scene);
 /// The lattice leans a little, so that parcels leave one by one and not by layers.
 std::unique_ptr<dem::moving_bed> lattice_bed(const settings& scene);
 
-/// A bed of these spheres that sinks as a plug, or rests; centres within what is modelled.
+/// A bed of these spheres that sinks as a plug, or rests; centres within the shaft.
 std::unique_ptr<dem::moving_bed> remake_bed(const settings& scene, std::vector<dem::sphere> spheres, std::vector<double> masses);
 
-/// DEM lets parcels fall from a loose start until they rest, up to the top of what is modelled.
+/// DEM lets parcels fall from a loose start until they rest, up to the top of the shaft.
 class filling {
   public:
     explicit filling(const settings& scene);
@@ -40,8 +40,9 @@ class filling {
     /// The packing with its spare top cut off, as a bed that sinks as a plug or rests.
     std::unique_ptr<dem::moving_bed> finished() const;
 
+    double gravity() const { return bed_.settings().gravity.z; }  ///< [m/s^2]
     std::vector<char> state() const { return bed_.state(); }
-    void restore(const std::vector<char>& state);
+    void restore(double gravity, const std::vector<char>& state);
 
   private:
     void judge();

@@ -12,7 +12,7 @@ constexpr double pi = 3.14159265358979323846;
 
 gas::shaft shape_of(const settings& scene) {
     gas::shaft shape;
-    const double radius = 0.5 * scene.shaft.diameter, height = scene.shaft.height, top = modelled_height(scene);
+    const double radius = 0.5 * scene.shaft.diameter, height = scene.shaft.height, top = height + scene.shaft.hopper_height;
     shape.profile = {{0, radius}, {top, radius}};
     shape.axial_size = {{0, scene.mesh.axial_size_bottom},
                         {0.4 * std::min(2.0, height), scene.mesh.axial_size_bottom},
@@ -26,10 +26,12 @@ gas::shaft shape_of(const settings& scene) {
     }
     shape.axial_size.push_back({top, scene.mesh.axial_size});
     shape.cross_size = scene.shaft.diameter / scene.mesh.across;
-    // Below a hopper the off-gas leaves by a pipe in the side, its upper edge where the hopper begins.
+    // Between the bed's surface and the hopper there is free space; the off-gas leaves it by a pipe in the side.
     shape.outlet = scene.shaft.hopper_height > 0;
-    const double pipe = scene.shaft.offgas_pipe_diameter;
-    shape.pipe = {pipe, height - 0.5 * std::sqrt(pi) / 2 * pipe};
+    if (shape.outlet) {
+        shape.profile.insert(shape.profile.begin() + 1, {height, radius});  // a level of the mesh at the surface
+        shape.pipe = {std::min(scene.shaft.offgas_pipe_diameter, 0.9 * scene.shaft.hopper_height), height + 0.5 * scene.shaft.hopper_height};
+    }
     return shape;
 }
 
@@ -46,7 +48,10 @@ namespace {
 gas::solver_settings solver_settings_of(const settings& scene) {
     gas::solver_settings s;
     s.reference_pressure = scene.gas.pressure;
-    s.turbulence = false;  // there is bed everywhere
+    s.turbulence = false;  // the free space above the bed only collects what leaves it
+    s.energy_relaxation = 1;  // the bed holds temperatures
+    s.scalars.relative = 1e-6;
+    s.flow.pressure.relative = 1e-6;  // what mass misses, enthalpy and species miss as well
     return s;
 }
 

@@ -55,9 +55,6 @@ class shaft_gas {
     gas::solver solver;
 };
 
-/// Height of everything that is modelled: the shaft and the stub of the hopper on it [m].
-inline double modelled_height(const settings& scene) { return scene.shaft.height + scene.shaft.hopper_height; }
-
 /// Value of a profile's cells at a height, by straight lines between the cells' centres.
 double at_height(const std::vector<double>& values, double z, double shaft_height);
 

@@ -146,12 +146,13 @@ plan foresee(const settings& scene) {
     check(scene);
     plan result;
     constexpr double pi = 3.14159265358979323846;
-    const double height = modelled_height(scene), radius = 0.5 * scene.shaft.diameter, d = sauter_diameter(scene);
+    const double height = scene.shaft.height, radius = 0.5 * scene.shaft.diameter, d = sauter_diameter(scene);
     const double solid = (1 - scene.bed.void_fraction) * pi * radius * radius * height;
     const double stone = pi / 6 * d * d * d;
     result.particles = static_cast<std::int64_t>(solid / stone);
     result.parcels = static_cast<std::int64_t>(solid / stone / std::pow(scene.bed.coarse_graining, 3));
-    const double layers = 0.8 / scene.mesh.axial_size_bottom + 1 / scene.mesh.axial_size_burners + std::max(0.0, height - 1.8) / scene.mesh.axial_size;
+    const double layers = 1 / scene.mesh.axial_size_bottom + 0.6 / scene.mesh.axial_size_burners +
+                          std::max(0.0, height + scene.shaft.hopper_height - 1.6) / scene.mesh.axial_size;
     const double across = scene.shaft.diameter / scene.mesh.across;
     result.cells = static_cast<std::int64_t>(layers * pi * radius * radius / (across * across) * 1.4);  // the O-grid is finer at the wall
     result.couplings = scene.time.couplings;
@@ -173,7 +174,7 @@ plan foresee(const settings& scene) {
     leaves(scene.bed.packing == bed_packing::dem && scene.bed.motion == bed_motion::plug, "shear of the bed", "bed.motion", "the recorded run");
     leaves(scene.physics.combustion != burning::jones_lindstedt, "finite-rate chemistry", "physics.combustion",
            "five of seven species and their integration");
-    leaves(true, "turbulence: the bed fills the shaft, and nothing is free of it", "shaft.hopper_height_m", "two equations");
+    leaves(true, "turbulence, in the free space above the bed", "this program", "two equations");
     leaves(!scene.physics.nitric_oxide, "thermal NO", "physics.nitric_oxide", "one sweep after the run");
     return result;
 }

@@ -177,6 +177,18 @@ report solver::iterate() {
     return r;
 }
 
+report solver::iterate_scalars() {
+    take_bed();
+    report r;
+    r.iterations = 1;
+    if (settings.species && species_ > 1) solve_species(r, nullptr, 0, 0);
+    if (settings.energy) solve_enthalpy(r, nullptr, 0, 0);
+    update_density();
+    is_settled(r);
+    check_balances(r, nullptr, 0, 0);
+    return r;
+}
+
 report solver::steady() {
     take_bed();
     report r;

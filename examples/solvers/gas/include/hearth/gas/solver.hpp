@@ -90,6 +90,8 @@ class solver {
     report level_zero(int iterations = 8);
     /// One steady outer iteration of everything that is switched on.
     report iterate();
+    /// The same of species and enthalpy alone, in the flow as it is: for hosts that exchange heat more often than it moves.
+    report iterate_scalars();
     /// Iterates until nothing changes by more than the tolerance.
     report steady();
     /// One implicit time step [s].  The fields of the bed are those at its end.  `storage` multiplies the storage of mass,
