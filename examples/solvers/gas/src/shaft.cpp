@@ -190,7 +190,7 @@ polyhedra make(const shaft& s) {
     if (s.outlet) {
         double chord = 0;
         for (int i = 0; i < around; ++i) {
-            if (std::abs(middle(i)) * radius(s, s.pipe.height) > std::sqrt(pi) / 4 * s.pipe.diameter) continue;
+            if (std::abs(std::remainder(middle(i), 2 * pi)) * radius(s, s.pipe.height) > std::sqrt(pi) / 4 * s.pipe.diameter) continue;
             in_pipe[i] = 1;
             chord += 2 * std::sin(width(i) / 2);
         }
