@@ -23,6 +23,12 @@ def table(name):
     return {title: [float(v) if v else float("nan") for v in column] for title, column in zip(rows[0], columns)}
 
 
+def known(values, heights):
+    """The pairs without those slices in which there is nothing."""
+    pairs = [(v, z) for v, z in zip(values, heights) if v == v]
+    return tuple(zip(*pairs)) if pairs else ((), ())
+
+
 def paint(axes, cut, what, colours, width, low, high, transposed=False):
     """Cells as the plane cuts them, or particles as discs, coloured by temperature."""
     if what == "gas":
@@ -69,8 +75,8 @@ def main():
     if "particle_temperature_K" in now:
         temperatures.fill_betweenx(z, now["particle_temperature_centre_K"], now["particle_temperature_wall_K"], color="0.85",
                                    label="particles, centre to wall")
-        temperatures.plot(now["particle_temperature_K"], z, color="#b2182b", label="particles")
-        temperatures.plot(now["gas_temperature_K"], z, color="#2166ac", label="gas")
+        temperatures.plot(*known(now["particle_temperature_K"], z), color="#b2182b", label="particles")
+        temperatures.plot(*known(now["gas_temperature_K"], z), color="#2166ac", label="gas")
         temperatures.plot(guess["particle_temperature_K"], guess["height_m"], color="#b2182b", lw=0.8, ls="--",
                           label="particles, one-dimensional")
         temperatures.plot(guess["gas_temperature_K"], guess["height_m"], color="#2166ac", lw=0.8, ls="--",
@@ -83,8 +89,8 @@ def main():
     temperatures.legend(loc="center left")
 
     pressure = figure.add_subplot(grid[:, 3])
-    bottom = now["pressure_Pa"][-1] if now["pressure_Pa"] else 0
-    pressure.plot([(p - bottom) / 1e3 for p in now["pressure_Pa"]], z, color="0.2", label="this run")
+    values, heights = known(now["pressure_Pa"], z)
+    pressure.plot([(p - values[-1]) / 1e3 for p in values], heights, color="0.2", label="this run")
     pressure.plot([(p - guess["pressure_Pa"][-1]) / 1e3 for p in guess["pressure_Pa"]], guess["height_m"], color="0.2", lw=0.8, ls="--",
                   label="one-dimensional")
     pressure.set(xlabel="pressure above the top [kPa]", ylim=(0, height), title="pressure")

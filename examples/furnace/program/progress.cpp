@@ -15,7 +15,9 @@ progress::progress(std::FILE* out, bool quiet) : out_(out), quiet_(quiet), termi
 
 std::string progress_line(const status& now, double left) {
     char text[256];
-    int length = std::snprintf(text, sizeof text, "%-8s %3.0f %%  ", name(now.now), 100 * std::clamp(now.share_of_run, 0.0, 1.0));
+    // How long it takes to converge nobody knows, so that phase has a share of its own.
+    const double share = now.now == phase::converge ? now.share_done : now.share_of_run;
+    int length = std::snprintf(text, sizeof text, "%-8s %3.0f %%  ", name(now.now), 100 * std::clamp(share, 0.0, 1.0));
     const auto add = [&](const char* format, auto... values) {
         const auto used = static_cast<std::size_t>(length);
         if (used < sizeof text) length += std::snprintf(text + used, sizeof text - used, format, values...);
