@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -39,17 +40,25 @@ inline strided_cloud<> atoms(void* host, std::vector<std::int64_t>& ids) {
 
 /// The pairs of a half list; with `newton off` those with ghosts of other ranks stand on both.
 struct pairs {
-    void* host;
-    int list;
+    struct row {
+        int atom, length;
+        const int* others;
+    };
+    std::vector<row> rows;
+
+    pairs(void* host, int list) : rows(static_cast<std::size_t>(lammps_neighlist_num_elements(host, list))) {
+        for (row& r : rows) {
+            int* others = nullptr;
+            const int number = static_cast<int>(&r - rows.data());
+            lammps_neighlist_element_neighbors(host, list, number, &r.atom, &r.length, &others);
+            r.others = others;
+        }
+    }
 
     template <class Visit>
     void operator()(Visit&& visit) const {
-        const int count = lammps_neighlist_num_elements(host, list);
-        for (int k = 0; k < count; ++k) {
-            int i = 0, length = 0, *others = nullptr;
-            lammps_neighlist_element_neighbors(host, list, k, &i, &length, &others);
-            for (int n = 0; n < length; ++n) visit(i, others[n] & 0x1FFFFFFF);  // LAMMPS' NEIGHMASK
-        }
+        for (const row& r : rows)
+            for (int n = 0; n < r.length; ++n) visit(r.atom, r.others[n] & 0x1FFFFFFF);  // LAMMPS' NEIGHMASK
     }
 };
 
