@@ -92,38 +92,45 @@ TEST_CASE("Janssen: the floor of a tall silo stops to feel what is poured on top
     CHECK(saturated < 2.5 * 8 * d);
 }
 
-TEST_CASE("Beverloo: discharge through a hole grows with the five halves of its width less 1.4 diameters") {
-    // Beverloo, Leniger, van de Velde 1961, doi:10.1016/0009-2509(61)85030-6: W = 0.58 rho_b sqrt(g) (D0 - 1.4 d)^2.5.
-    for (const double hole : {6.0, 8.0}) {
-        CAPTURE(hole);
-        const bed_settings s = soft_settings(0.5, 0.3);
-        bed b(s);
-        b.add_wall(wall_of(s, shape::disc({0, 0, 0}, {0, 0, 1}, 7 * d, {{{0, 0, 0}, hole * d / 2}})));
-        b.add_wall(wall_of(s, shape::cylinder({0, 0, -1}, {0, 0, 2}, 7 * d)));
-        const int plug = b.add_wall(wall_of(s, shape::disc({0, 0, -1e-4}, {0, 0, 1}, 7 * d)));
-        feed source = feed_into({{0, 0, 16 * d}, 7 * d, 12 * d}, 3580, 0.95 * d, d);
-        fill_to_level(b, source, {{0, 0, 0}, 7 * d, 14 * d}, 14 * d, 60000);
-        settle(b, 30000);
-        const double bulk = 3580 * solid_fraction(b, {{0, 0, 2 * d}, 4.5 * d, 9 * d});
-        b.set_wall_open(plug, true);
-        double out = 0, began = 0;
-        while (b.time() >= 0) {
-            b.advance(200);
-            std::vector<std::int32_t> gone;
-            for (std::int32_t i = 0; i < b.size(); ++i)
-                if (b.spheres()[i].centre.z < -3 * d) gone.push_back(i);
-            double mass = 0;
-            for (const auto i : gone) mass += b.mass(i);
-            if (began == 0 && out > 0.1) began = b.time(), out = 0;  // after the start: steady
-            out += mass;
-            b.remove(gone);
-            if (began > 0 && surface_level(b, {{0, 0, 0}, 7 * d, 1}) < 8 * d) break;
-        }
-        const double flow = out / (b.time() - began);
-        const double expected = 0.58 * bulk * std::sqrt(9.81) * std::pow((hole - 1.4 * 0.975) * d, 2.5);
-        MESSAGE("hole of " << hole << " d: " << flow << " kg/s, Beverloo " << expected);
-        CHECK(flow == doctest::Approx(expected).epsilon(0.25));
+namespace {
+
+/// Steady discharge through a hole in the flat floor of a bin of 14 d, over rho_b sqrt(g) (D0 - 1.4 d)^2.5 [-].
+double beverloo_constant(double hole, double friction) {
+    const bed_settings s = soft_settings(friction, 0.3);
+    bed b(s);
+    b.add_wall(wall_of(s, shape::disc({0, 0, 0}, {0, 0, 1}, 7 * d, {{{0, 0, 0}, hole * d / 2}})));
+    b.add_wall(wall_of(s, shape::cylinder({0, 0, -1}, {0, 0, 2}, 7 * d)));
+    const int plug = b.add_wall(wall_of(s, shape::disc({0, 0, -1e-4}, {0, 0, 1}, 7 * d)));
+    feed source = feed_into({{0, 0, 16 * d}, 7 * d, 12 * d}, 3580, 0.95 * d, d);
+    fill_to_level(b, source, {{0, 0, 0}, 7 * d, 14 * d}, 14 * d, 60000);
+    settle(b, 30000);
+    const double bulk = 3580 * solid_fraction(b, {{0, 0, 2 * d}, 7 * d, 9 * d});
+    b.set_wall_open(plug, true);
+    double out = 0, began = 0;
+    while (b.time() >= 0) {
+        b.advance(200);
+        std::vector<std::int32_t> gone;
+        for (std::int32_t i = 0; i < b.size(); ++i)
+            if (b.spheres()[i].centre.z < -3 * d) gone.push_back(i);
+        for (const auto i : gone) out += b.mass(i);
+        b.remove(gone);
+        if (began == 0 && out > 1.0) began = b.time(), out = 0;  // after the start: steady
+        if (began > 0 && surface_level(b, {{0, 0, 0}, 7 * d, 1}) < 8 * d) break;
     }
+    return out / (b.time() - began) / (bulk * std::sqrt(9.81) * std::pow((hole - 1.4 * 0.975) * d, 2.5));
+}
+
+}  // namespace
+
+TEST_CASE("Beverloo: discharge through a hole grows with the five halves of its width less 1.4 diameters") {
+    // Beverloo, Leniger, van de Velde 1961, doi:10.1016/0009-2509(61)85030-6: W = C rho_b sqrt(g) (D0 - 1.4 d)^2.5, C = 0.58
+    // for seeds and sand, whose friction is not told.  Here C falls with friction: 0.66, 0.56, 0.50 at 0.1, 0.3, 0.5; a bin
+    // of 24 d gives the same as one of 14 d, within 1 % (benchmarks/dem/validation.cpp).
+    const double narrow = beverloo_constant(6, 0.5), wide = beverloo_constant(8, 0.5), smooth = beverloo_constant(8, 0.1);
+    MESSAGE("C " << narrow << " and " << wide << " through 6 and 8 d at friction 0.5, " << smooth << " at 0.1");
+    CHECK(std::fabs(wide / narrow - 1) < 0.08);  // 2.5 times the flow; some 700 particles, in bursts
+    CHECK(std::fabs(wide / 0.50 - 1) < 0.08);
+    CHECK(std::fabs(smooth / 0.66 - 1) < 0.08);
 }
 
 TEST_CASE("angle of repose: friction holds a slope, rolling friction a steeper one") {

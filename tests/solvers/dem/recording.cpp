@@ -272,6 +272,7 @@ TEST_CASE("moving beds go on from their state bit for bit; other states are refu
     auto cut = bytes;
     cut.resize(cut.size() / 2);
     CHECK_THROWS_AS(recording::read(cut), state_error);
+    CHECK_THROWS_AS(recorded_bed(nullptr, around, 1.0), std::invalid_argument);
     CHECK_THROWS_AS(b.advance(-1), hearth::bad_value);
     CHECK_THROWS_AS(b.advance(std::nan("")), hearth::bad_value);
     CHECK_THROWS_AS(b.set_mass_flow(-1), hearth::bad_value);

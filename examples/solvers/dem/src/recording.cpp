@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
+#include <stdexcept>
 
 #include <hearth/core/constants.hpp>
 #include <hearth/core/error.hpp>
@@ -32,6 +34,11 @@ void follow(const recording::frame& before, const recording::frame& after, std::
         origin.push_back(stayed ? static_cast<index>(i++) : passage::fed);
     }
     for (; i < before.slots.size(); ++i) gone.push_back(static_cast<index>(i));
+}
+
+const recording& given(const std::shared_ptr<const recording>& record) {
+    if (!record) throw std::invalid_argument("hearth: a recorded bed needs a recording, and none was given");
+    return *record;
 }
 
 /// Points of equal shares of a ball of radius 1: a Fibonacci spiral on each of four shells of equal volume.
@@ -265,7 +272,7 @@ std::uint64_t recording::fingerprint() const {
 }
 
 recorded_bed::recorded_bed(std::shared_ptr<const recording> record, surroundings around, double mass_flow)
-    : moving_bed(record->spheres(0), record->masses(0), std::move(around), mass_flow),
+    : moving_bed(given(record).spheres(0), given(record).masses(0), std::move(around), mass_flow),
       record_(std::move(record)),
       fingerprint_(record_->fingerprint()) {}
 

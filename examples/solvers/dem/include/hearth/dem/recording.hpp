@@ -105,7 +105,7 @@ class recorder {
 /// A particle keeps the mass that it was fed with; its sphere is that of its slot.
 class recorded_bed final : public moving_bed {
   public:
-    /// Throws bad_value.
+    /// Throws bad_value, or std::invalid_argument where there is no recording.
     recorded_bed(std::shared_ptr<const recording> record, surroundings around, double mass_flow);
     vector3 velocity(index i) const override;
     const recording& record() const { return *record_; }
