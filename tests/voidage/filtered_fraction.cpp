@@ -139,7 +139,7 @@ TEST_CASE("filtered fraction: is the bed's indicator under a Gaussian of half a 
 }
 
 TEST_CASE("filtered fraction: the permeability of a random bed is that of its exact filtered indicator") {
-    // Over that of the mean fraction the exact field has, on 24 beds with 1 to 4 cells to the diameter, 1.00 to 1.04 in
+    // Over that of the mean fraction the exact field has, on 24 beds with 1 to 4 cells to the diameter, 1.00 to 1.02 in
     // dense beds without walls, 0.97 to 1.085 between walls, and 0.98 to 1.7 in loose beds: that is the bed's own. What
     // the error e of a field adds to the spread t of the exact one changes  ln K = <ln k> + var(ln k) / 6  (second
     // order, isotropic: Landau and Lifshitz, Electrodynamics of Continuous Media, section 9) by at most
