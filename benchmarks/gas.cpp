@@ -76,7 +76,8 @@ void pressure_solve(benchmark::State& state) {
     for (int f = top.first; f < top.first + top.count; ++f) a.diagonal[m.owner[f]] += 1e3 * m.conductance[f];
     array<double> b(m.cells()), x(m.cells());
     for (int c = 0; c < m.cells(); ++c) b[c] = m.volume[c] * std::sin(7 * m.centre[c].x) * std::cos(5 * m.centre[c].z);
-    symmetric_solver solver(p, make_multigrid(p), one);
+    workspace work(p);
+    symmetric_solver solver(make_multigrid(p), one, work);
     solve_report last = solver.solve(a, b.data(), x.data(), {1e-9, 0, 200});  // builds the hierarchy
     for (auto _ : state) {
         std::fill(x.begin(), x.end(), 0.0);

@@ -131,8 +131,9 @@ TEST_CASE("distributed: steady flow, heat, species and turbulence are those of o
         CHECK(r.enthalpy.error < 1e-10);
         for (const balance& b : r.species) CHECK(b.error < 1e-10);
     }
-    // the last change per iteration was 1e-9; iterations reduce the error by a few per cent each at the slowest
-    compare(gas, alone, ranks, 1e-6);
+    // The last iterations changed 1e-9 (rms) each and took 1 to 2 % off the error: 1e-7 is left, some 10 times that in the
+    // worst cell.
+    compare(gas, alone, ranks, 5e-6);
     CHECK(gas.mass_flow("top") == doctest::Approx(alone.mass_flow("top")).epsilon(1e-10));
     CHECK(gas.mean_temperature("top") == doctest::Approx(alone.mean_temperature("top")).epsilon(1e-8));
     CHECK(gas.mean_pressure("bottom") == doctest::Approx(alone.mean_pressure("bottom")).epsilon(1e-8));
@@ -165,6 +166,10 @@ TEST_CASE("distributed: exchange with particles through the transfer operator is
         bed.radii[i] *= 0.02;
         for (double& x : bed.positions[i]) x *= 0.02;
     }
+    struct exchanged {
+        std::vector<double> seen;  // gas temperature at the particles [K]
+        double heat;               // that the particles give [W]
+    };
     const auto run = [&](solver& gas, const auto& cloud, auto& transfer, const std::vector<std::int64_t>& ids) {
         const mesh& grid = gas.grid();
         std::vector<double> solid(static_cast<std::size_t>(grid.owned_cells())), conductance(ids.size()),
@@ -193,9 +198,9 @@ TEST_CASE("distributed: exchange with particles through the transfer operator is
         CHECK(r.enthalpy.error < 1e-10);
         std::vector<double> temperature(gas.gas.temperature.begin(), gas.gas.temperature.begin() + grid.owned_cells());
         transfer.gather(temperature, seen);
-        double heat = 0;  // that the particles give
+        double heat = 0;
         for (std::size_t i = 0; i < ids.size(); ++i) heat += source[i] - conductance[i] * seen[i];
-        return std::make_pair(seen, heat);
+        return exchanged{seen, heat};
     };
     std::vector<std::int64_t> all;
     for (std::size_t i = 0; i < bed.radii.size(); ++i) all.push_back(static_cast<std::int64_t>(i));
@@ -203,22 +208,23 @@ TEST_CASE("distributed: exchange with particles through the transfer operator is
     const hearth::cell_locator everywhere(whole, whole_graph);
     hearth::transfer_operator<mesh> whole_transfer(everywhere);
     solver alone(whole, std::make_shared<two_gases>(), tight());
-    const auto [expected, expected_heat] = run(alone, bed, whole_transfer, all);
+    const exchanged expected = run(alone, bed, whole_transfer, all);
 
     const hearth::test::packing_share cloud(bed, world.rank(), world.size(), 5);
     const hearth::cell_graph graph(m, world);
     const hearth::cell_locator locator(m, graph);
     hearth::transfer_operator<mesh, communicator> transfer(locator);
     solver gas(m, std::make_shared<two_gases>(), tight(), ranks);
-    const auto [seen, heat] = run(gas, cloud, transfer, cloud.ids);
+    const exchanged here = run(gas, cloud, transfer, cloud.ids);
     // void fractions and sources are the same bits, so only the solver's tolerance is left: 1e-6 of some 100 K
-    for (std::size_t i = 0; i < seen.size(); ++i)
-        CHECK(std::abs(seen[i] - expected[static_cast<std::size_t>(cloud.ids[i])]) < 1e-4);
-    CHECK(ranks.sum(heat) == doctest::Approx(expected_heat).epsilon(1e-7));
+    for (std::size_t i = 0; i < here.seen.size(); ++i)
+        CHECK(std::abs(here.seen[i] - expected.seen[static_cast<std::size_t>(cloud.ids[i])]) < 1e-4);
+    CHECK(ranks.sum(here.heat) == doctest::Approx(expected.heat).epsilon(1e-7));
     // and what the particles give is what the gas takes along
-    const double carried = gas.mass_flow("z_max") * gas.model().enthalpy(gas.mean_temperature("z_max"), std::vector<double>{0, 1}.data()) +
-                           gas.mass_flow("z_min") * gas.model().enthalpy(300, std::vector<double>{0, 1}.data());
-    CHECK(carried == doctest::Approx(expected_heat).epsilon(1e-3));  // the mean temperature is not quite the mixed one
+    const double air[2] = {0, 1};
+    const double carried = gas.mass_flow("z_max") * gas.model().enthalpy(gas.mean_temperature("z_max"), air) +
+                           gas.mass_flow("z_min") * gas.model().enthalpy(300, air);
+    CHECK(carried == doctest::Approx(expected.heat).epsilon(1e-3));  // the mean temperature is not quite the mixed one
 }
 
 TEST_CASE("distributed: a bed that one rank refuses is refused by all, without a hang") {

@@ -14,17 +14,18 @@ using manufactured::pi;
 
 namespace {
 
-flow_medium resting_medium(const mesh& m, double density) {
-    const auto n = static_cast<std::size_t>(m.cells());
-    flow_medium medium;
-    medium.density.assign(n, density);
-    medium.void_fraction.assign(n, 1.0);
-    for (auto* field : {&medium.compressibility, &medium.viscosity, &medium.exchange, &medium.mass_source})
-        field->assign(n, 0.0);
-    medium.particle_velocity.assign(n, {});
-    medium.momentum_source.assign(n, {});
-    return medium;
-}
+/// A medium that rests, without friction, with the fields that a flow_medium only looks into.
+struct resting_medium : flow_medium {
+    resting_medium(const mesh& m, double rho) : densities(m.cells(), rho), voids(m.cells(), 1.0), forces(m.cells()), rest(m.cells()) {
+        density = densities;
+        void_fraction = voids;
+        momentum_source = forces;
+        particle_velocity = rest;
+        for (auto* field : {&compressibility, &viscosity, &exchange, &mass_source}) field->assign(m.cells(), 0.0);
+    }
+    array<double> densities, voids;
+    array<vector3> forces, rest;
+};
 
 flow_boundary slip_everywhere(const mesh& m) {
     const auto n = static_cast<std::size_t>(m.boundary_faces());
@@ -51,12 +52,12 @@ errors solve_manufactured(const mesh& m, double reynolds) {
     const manufactured::function pressure = [](const vector3& x) { return std::cos(pi * x.x) * std::sin(pi * x.y); };
     const manufactured::function w[2] = {[&](const vector3& x) { return derivative(stream, x, 1); },
                                          [&](const vector3& x) { return -derivative(stream, x, 0); }};
-    flow_medium medium = resting_medium(m, density);
+    resting_medium medium(m, density);
     flow_boundary boundary = slip_everywhere(m);
     for (int c = 0; c < m.cells(); ++c) {
         const vector3& x = m.centre[c];
         const double e = void_fraction(x);
-        medium.void_fraction[c] = e;
+        medium.voids[c] = e;
         medium.viscosity[c] = viscosity;
         medium.exchange[c] = drag;
         for (int k = 0; k < 2; ++k) {
@@ -67,7 +68,7 @@ errors solve_manufactured(const mesh& m, double reynolds) {
                 inertia += density * w[i](x) * derivative(u, x, i);
             }
             const double force = inertia - viscosity * friction + e * derivative(pressure, x, k) + drag * u(x);
-            medium.momentum_source[c][k] = force * m.volume[c];
+            medium.forces[c][k] = force * m.volume[c];
         }
     }
     for (int f = m.internal_faces(); f < m.faces(); ++f) {
@@ -89,7 +90,8 @@ errors solve_manufactured(const mesh& m, double reynolds) {
     const pattern p(m);
     const gradient g(m);
     const parallel one;
-    flow solver(m, p, g, one);
+    workspace work(p);
+    flow solver(m, p, g, one, work);
     flow_state state = solver.make_state();
     flow_settings settings;
     settings.inertia = false;

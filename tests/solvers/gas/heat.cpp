@@ -37,8 +37,10 @@ scalar_error solve_manufactured(const mesh& m, double diffusivity) {
     const pattern p(m);
     const gradient g(m);
     const parallel one;
-    transport t(m, p, g, one);
-    array<double> flux(m.faces(), 0.0), gamma(m.cells(), diffusivity), outside(m.boundary_faces(), 0.0),
+    workspace work(p);
+    transport t(m, p, g, one, work);
+    t.diffusivity.assign(m.cells(), diffusivity);
+    array<double> flux(m.faces(), 0.0), outside(m.boundary_faces(), 0.0),
         conducting(m.boundary_faces(), 0.0), field(m.cells(), 1.0);
     for (int f = 0; f < m.faces(); ++f) {
         const vector3 s = m.area[f];
@@ -58,11 +60,11 @@ scalar_error solve_manufactured(const mesh& m, double diffusivity) {
     double change = 1;
     int i = 0;
     for (; change > 1e-11 && i < 300; ++i) {
-        t.assemble(flux, gamma, conducting);
-        t.start(field, outside);
+        t.assemble(flux, conducting);
+        t.start(field.data(), outside);
         for (int c = 0; c < m.cells(); ++c) t.right[c] += m.volume[c] * source(m.centre[c]);
         const array<double> before = field;
-        t.solve(field, {1e-8, 0, 500});
+        t.solve(field.data(), {1e-8, 0, 500});
         change = 0;
         for (int c = 0; c < m.cells(); ++c) change = std::max(change, std::abs(field[c] - before[c]));
     }

@@ -55,7 +55,8 @@ int iterations(const mesh& m, double jump, double reduction) {
     array<double> coefficient(m.cells());
     for (int c = 0; c < m.cells(); ++c) coefficient[c] = m.centre[c].z > 0.5 ? 1 : jump;
     const matrix a = diffusion(m, p, coefficient, 1.0);
-    symmetric_solver solver(p, make_multigrid(p), one);
+    workspace work(p);
+    symmetric_solver solver(make_multigrid(p), one, work);
     const auto b = random_field(m.cells(), 3);
     array<double> x(m.cells(), 0.0);
     const solve_report report = solver.solve(a, b.data(), x.data(), {reduction, 0, 200});
@@ -70,8 +71,8 @@ TEST_CASE("multigrid: iterations do not grow with the number of cells") {
     const int small = iterations(mesh(box(graded(1, 12), graded(1, 12), graded(1, 12))), 1, 1e-9);
     const int large = iterations(mesh(box(graded(1, 40), graded(1, 40), graded(1, 40))), 1, 1e-9);
     MESSAGE("1.7e3 cells: " << small << ", 6.4e4 cells: " << large << " iterations to 1e-9");
-    CHECK(large <= small + 6);  // 37 times the cells
-    CHECK(large <= 25);
+    CHECK(large <= small + 2);  // 37 times the cells
+    CHECK(large <= 15);
 }
 
 TEST_CASE("multigrid: copes with jumps of 1e6 and with flat cells") {
@@ -83,7 +84,8 @@ TEST_CASE("symmetric solver: keeps a hierarchy that fits and drops one that does
     const mesh m(box(graded(1, 16), graded(1, 16), graded(1, 16)));
     const pattern p(m);
     const parallel one;
-    symmetric_solver solver(p, make_multigrid(p), one);
+    workspace work(p);
+    symmetric_solver solver(make_multigrid(p), one, work);
     const auto b = random_field(m.cells(), 5);
     for (const double scale : {1.0, 1.1, 1e4, 1e-4}) {
         CAPTURE(scale);
@@ -112,7 +114,8 @@ TEST_CASE("general solver: convection with diffusion, Peclet 1e-3 to 1e6") {
         for (int c = 0; c < m.cells(); ++c) a.diagonal[c] += 1e-3 * m.volume[c];
         const auto b = random_field(m.cells(), 11);
         array<double> x(m.cells(), 0.0);
-        general_solver solver(p, one);
+        workspace work(p);
+        general_solver solver(one, work);
         const solve_report report = solver.solve(a, b.data(), x.data(), {1e-10, 0, 2000});
         CHECK(report.converged);
         CHECK(residual(a, x, b) < 1e-9);
@@ -126,8 +129,9 @@ TEST_CASE("solvers: a right-hand side that is not finite is reported, and x stay
     const matrix a = diffusion(m, p, array<double>(m.cells(), 1.0), 1.0);
     array<double> b(m.cells(), 1.0), x(m.cells(), 0.0);
     b[7] = std::nan("");
-    symmetric_solver symmetric(p, make_multigrid(p), one);
-    general_solver general(p, one);
+    workspace work(p);
+    symmetric_solver symmetric(make_multigrid(p), one, work);
+    general_solver general(one, work);
     CHECK_FALSE(symmetric.solve(a, b.data(), x.data(), {}).converged);
     CHECK_FALSE(general.solve(a, b.data(), x.data(), {}).converged);
     for (const double v : x) CHECK(std::isfinite(v));

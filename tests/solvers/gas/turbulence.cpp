@@ -16,7 +16,8 @@ solver_settings cold() {
     s.energy = false;
     s.gravity = {0, 0, 0};
     s.flow.relaxation = 0.5;
-    s.max_iterations = 1500;
+    s.flow.momentum_sweeps = 8;  // cells far narrower than long: two sweeps carry friction across the channel slowly
+    s.max_iterations = 2500;
     return s;
 }
 

@@ -11,6 +11,15 @@ void solver::check_balances(report& r, const gas_fields* before, double dt, doub
     const mesh& m = *mesh_;
     const int width = species_;
     array<balance> all(2 + width);  // mass, enthalpy, species
+    array<double> supplied(2 + width), gathered(2 + width);  // sums of magnitudes
+    const auto supply = [&](int k, double x) {
+        all[k].source += x;
+        supplied[k] += std::abs(x);
+    };
+    const auto store = [&](int k, double x) {
+        all[k].stored += x;
+        gathered[k] += std::abs(x);
+    };
     double backflow = 0;
     for (int f = m.internal_faces(); f < m.faces(); ++f) {
         const int b = f - m.internal_faces(), c = m.owner[f];
@@ -21,26 +30,17 @@ void solver::check_balances(report& r, const gas_fields* before, double dt, doub
             const double out = flux * (given ? outside : inside) + boundary_diffusion_[b] * (inside - outside);
             (out > 0 ? to.out : to.in) += std::abs(out);
         };
+        supply(1, face_source_[b] - face_conductance_[b] * gas.temperature[c]);
         count(all[0], 1, 1);
         count(all[1], gas.enthalpy[c], scalar_boundary_.enthalpy[b]);
         for (int k = 0; k < width; ++k)
             count(all[2 + k], gas.mass_fraction[width * c + k], boundary_fraction_[k][b]);
     }
-    array<double> supplied(2 + width), gathered(2 + width);  // sums of magnitudes
-    const auto supply = [&](int k, double x) {
-        all[k].source += x;
-        supplied[k] += std::abs(x);
-    };
-    const auto store = [&](int k, double x) {
-        all[k].stored += x;
-        gathered[k] += std::abs(x);
-    };
     double inventory = 0;  // kg
     for (int c = 0; c < m.owned_cells(); ++c) {
         inventory += m.volume[c] * bed.void_fraction[c] * gas.density[c];
         supply(0, medium_.mass_source[c]);
-        supply(1, sources.enthalpy[c] + bed.heat_source[c] + wall_source_[c] -
-                      (bed.heat_conductance[c] + wall_conductance_[c]) * gas.temperature[c]);
+        supply(1, sources.enthalpy[c] + bed.heat_source[c] - bed.heat_conductance[c] * gas.temperature[c]);
         for (int k = 0; k < width; ++k) supply(2 + k, sources.species[width * c + k]);
         if (!before) continue;
         const double rate = storage * m.volume[c] / dt;

@@ -13,26 +13,23 @@ double share_of_fit(double tangent) { return std::clamp((tangent - 0.3) / 0.3, 0
 
 }  // namespace
 
-flow::flow(const mesh& m, const pattern& p, const gradient& g, const parallel& ranks)
+flow::flow(const mesh& m, const pattern& p, const gradient& g, const parallel& ranks, workspace& work)
     : mesh_(&m),
       pattern_(&p),
       gradients_(&g),
       ranks_(&ranks),
-      pressure_solver_(p, ranks.make_preconditioner(p), ranks),
-      momentum_(p),
-      pressure_(p),
-      gradient_(3 * m.cells()),
-      source_(m.cells()),
-      drive_(m.cells()),
+      work_(&work),
+      pressure_solver_(ranks.make_preconditioner(p), ranks, work),
+      source_(work.first),
+      drive_(work.second),
+      previous_(work.third),
+      inverse_void_(work.scalar),
       boundary_velocity_(m.boundary_faces()),
-      inverse_void_(m.cells()),
       coupling_(m.cells()),
       total_(m.cells()),
       relax_(m.cells()),
       inertia_(m.cells()),
-      right_(m.owned_cells()),
-      conductance_(m.faces()),
-      explicit_flux_(m.faces()) {}
+      outlet_conductance_(m.boundary_faces()) {}
 
 flow_state flow::make_state() const {
     flow_state s;
@@ -54,17 +51,17 @@ flow_report flow::iterate(flow_state& state, const flow_medium& medium, const fl
     assemble_momentum(state, medium, boundary, history, settings);
     predict(state, medium, history, settings);
     if (m.largest_angle > 0.01) find_pressure_slope(state, medium, boundary, settings);
+    double sums[6] = {0, 0, 0, 0, 0, 0};
+    for (int f = m.internal_faces(); f < m.faces(); ++f) sums[1] += 0.5 * std::abs(state.mass_flux[f]);
+    for (int c = 0; c < n; ++c) sums[1] += 0.5 * std::abs(medium.mass_source[c]);
     assemble_pressure(state, medium, boundary, history);
 
     array<double>& residual = inverse_void_;  // free from here on
-    pressure_.apply(state.pressure.data(), residual.data());
-    double sums[6] = {0, 0, 0, 0, 0, 0};
-    for (int c = 0; c < n; ++c) sums[0] += std::abs(right_[c] - residual[c]);
-    for (int f = m.internal_faces(); f < m.faces(); ++f) sums[1] += 0.5 * std::abs(state.mass_flux[f]);
-    for (int c = 0; c < n; ++c) sums[1] += 0.5 * std::abs(medium.mass_source[c]);
+    work_->a.apply(state.pressure.data(), residual.data());
+    for (int c = 0; c < n; ++c) sums[0] += std::abs(work_->right[c] - residual[c]);
     previous_pressure_.assign(state.pressure.begin(), state.pressure.begin() + n);
-    report.pressure = pressure_solver_.solve(pressure_, right_.data(), state.pressure.data(), settings.pressure);
-    correct(state, medium, history);
+    report.pressure = pressure_solver_.solve(work_->a, work_->right.data(), state.pressure.data(), settings.pressure);
+    correct(state, medium, history, settings.inertia);
 
     double low = 0, high = 0;
     for (int c = 0; c < n; ++c) {
@@ -126,25 +123,28 @@ void flow::find_pressure_slope(const flow_state& state, const flow_medium& mediu
     ranks_->gather(&slope_[0].x, 3);
 }
 
-void flow::assemble_pressure(const flow_state& state, const flow_medium& medium, const flow_boundary& boundary,
+/// Leaves the part of each flux that does not depend on the new pressure in the mass fluxes of the state.
+void flow::assemble_pressure(flow_state& state, const flow_medium& medium, const flow_boundary& boundary,
                              const flow_history& history) {
     const mesh& m = *mesh_;
+    matrix& equation = work_->a;
+    array<double>& right = work_->right;
     const int internal = m.internal_faces(), n = m.owned_cells();
     const bool skewed = m.largest_angle > 0.01;
-    pressure_.clear();
+    equation.clear();
     for (int c = 0; c < n; ++c) {
-        right_[c] = medium.mass_source[c];
+        right[c] = medium.mass_source[c];
         if (!(history.step > 0)) continue;
         const double storage = history.storage * m.volume[c] / history.step, e = medium.void_fraction[c];
         const double give = storage * e * medium.compressibility[c];
-        pressure_.diagonal[c] = give;
-        right_[c] += give * state.pressure[c] - storage * (e * medium.density[c] -
+        equation.diagonal[c] = give;
+        right[c] += give * state.pressure[c] - storage * (e * medium.density[c] -
                                                            history.void_fraction[c] * history.density[c]);
     }
     bool level_is_set = history.step > 0 && history.storage > 0;
     if (level_is_set) {
         double give = 0;
-        for (int c = 0; c < n; ++c) give += pressure_.diagonal[c];
+        for (int c = 0; c < n; ++c) give += equation.diagonal[c];
         level_is_set = ranks_->sum(give) > 0;
     }
     const double per_step = history.step > 0 ? 1 / history.step : 0;
@@ -159,9 +159,9 @@ void flow::assemble_pressure(const flow_state& state, const flow_medium& medium,
         const int p = m.owner[f];
         const int b = f - internal;
         if (b >= 0 && boundary.type[b] != flow_boundary::kind::outlet) {
-            conductance_[f] = 0;
-            explicit_flux_[f] = boundary.type[b] == flow_boundary::kind::inlet ? boundary.mass_flux[b] : 0;
-            right_[p] -= explicit_flux_[f];
+            outlet_conductance_[b] = 0;
+            state.mass_flux[f] = boundary.type[b] == flow_boundary::kind::inlet ? boundary.mass_flux[b] : 0;
+            right[p] -= state.mass_flux[f];
             continue;
         }
         const double part = b >= 0 ? 1 : 1 - m.owner_weight[f];
@@ -189,30 +189,32 @@ void flow::assemble_pressure(const flow_state& state, const flow_medium& medium,
             push -= dot(lean, slope);
         }
         const double conductance = m.conductance[f] / h.stiffness;
-        conductance_[f] = conductance;
-        explicit_flux_[f] = push / h.stiffness;
-        pressure_.diagonal[p] += conductance;
+        double& flux = state.mass_flux[f];
+        flux = push / h.stiffness;
+        equation.diagonal[p] += conductance;
         if (b >= 0) {
-            explicit_flux_[f] -= conductance * boundary.pressure[b];
-            right_[p] -= explicit_flux_[f];
+            outlet_conductance_[b] = conductance;
+            flux -= conductance * boundary.pressure[b];
+            right[p] -= flux;
             level_is_set = true;
             continue;
         }
         const int q = m.neighbour[f];
-        right_[p] -= explicit_flux_[f];
-        pressure_.entry[pattern_->owner_entry[f]] = -conductance;
+        right[p] -= flux;
+        equation.entry[pattern_->owner_entry[f]] = -conductance;
         if (q < n) {
-            right_[q] += explicit_flux_[f];
-            pressure_.diagonal[q] += conductance;
-            pressure_.entry[pattern_->neighbour_entry[f]] = -conductance;
+            right[q] += flux;
+            equation.diagonal[q] += conductance;
+            equation.entry[pattern_->neighbour_entry[f]] = -conductance;
         }
     }
     if (!(ranks_->max(level_is_set ? 1.0 : 0.0) > 0) && (m.global.empty() || m.global[0] == 0))
-        pressure_.diagonal[0] *= 2;  // nothing sets the level: the first cell keeps the reference
+        equation.diagonal[0] *= 2;  // nothing sets the level: the first cell keeps the reference
 }
 
-void flow::correct(flow_state& state, const flow_medium& medium, const flow_history& history) {
+void flow::correct(flow_state& state, const flow_medium& medium, const flow_history& history, bool inertia) {
     const mesh& m = *mesh_;
+    const array<double>& coupling = work_->a.entry;
     const int internal = m.internal_faces(), n = m.owned_cells();
     const bool skewed = m.largest_angle > 0.01;
     array<vector3>& momentum = source_;  // free from here on: void fraction * density * velocity, times volume
@@ -221,24 +223,23 @@ void flow::correct(flow_state& state, const flow_medium& medium, const flow_hist
     // it is exact for a linear w too (in cells whose opposite faces are alike the slope adds nothing)
     const auto rebuild = [&](int c, int f, double flux, double sign) {
         const vector3 d = m.face_centre[f] - m.centre[c];
-        if (skewed) {
-            const vector3* g = &gradient_[3 * c];
+        if (skewed && inertia) {
+            const vector3* g = &work_->gradient[3 * c];
             flux -= medium.density[c] * dot(m.area[f], vector3{dot(g[0], d), dot(g[1], d), dot(g[2], d)});
         }
         momentum[c] += (sign * flux) * d;
     };
     for (int f = 0; f < m.faces(); ++f) {
         const int p = m.owner[f];
-        double flux = explicit_flux_[f];
+        double& flux = state.mass_flux[f];
         if (f < internal) {
             const int q = m.neighbour[f];
-            flux += conductance_[f] * (state.pressure[p] - state.pressure[q]);
+            flux -= coupling[pattern_->owner_entry[f]] * (state.pressure[p] - state.pressure[q]);
             rebuild(q, f, flux, -1);
         } else {
-            flux += conductance_[f] * state.pressure[p];
+            flux += outlet_conductance_[f - internal] * state.pressure[p];
         }
         rebuild(p, f, flux, 1);
-        state.mass_flux[f] = flux;
     }
     for (int c = 0; c < n; ++c) {
         const vector3 w = 1 / (m.volume[c] * medium.density[c]) * momentum[c];

@@ -20,16 +20,17 @@ void flow::assemble_momentum(const flow_state& state, const flow_medium& medium,
                              const flow_history& history, const flow_settings& settings) {
     const mesh& m = *mesh_;
     const int n = m.owned_cells();
+    matrix& momentum = work_->a;
     for (int c = 0; c < m.cells(); ++c) inverse_void_[c] = 1 / medium.void_fraction[c];
     std::fill(source_.begin(), source_.end(), vector3{});
     std::fill(coupling_.begin(), coupling_.end(), 0.0);
     std::fill(total_.begin(), total_.end(), 0.0);
-    momentum_.clear();
+    momentum.clear();
     if (settings.inertia) add_convection_and_diffusion(state, medium, boundary);
 
     for (int c = 0; c < n; ++c) {
         const double v = m.volume[c], iv = inverse_void_[c];
-        double& diagonal = momentum_.diagonal[c];
+        double& diagonal = momentum.diagonal[c];
         const double drag = medium.exchange[c] * iv * iv * v;
         diagonal += drag + std::max(medium.mass_source[c], 0.0) * iv * iv;
         source_[c] += iv * medium.momentum_source[c] + v * medium.density[c] * medium.gravity +
@@ -48,6 +49,8 @@ void flow::add_convection_and_diffusion(const flow_state& state, const flow_medi
                                         const flow_boundary& boundary) {
     const mesh& m = *mesh_;
     const int internal = m.internal_faces();
+    matrix& momentum = work_->a;
+    array<vector3>& slope = work_->gradient;
     using kind = flow_boundary::kind;
     for (int f = internal; f < m.faces(); ++f) {
         const int b = f - internal;
@@ -59,8 +62,8 @@ void flow::add_convection_and_diffusion(const flow_state& state, const flow_medi
             boundary_velocity_[b] = boundary.type[b] == kind::outlet ? w : boundary.velocity[b];
         }
     }
-    gradients_->compute<3>(&state.velocity[0].x, &boundary_velocity_[0].x, gradient_.data());
-    ranks_->gather(&gradient_[0].x, 9);
+    gradients_->compute<3>(&state.velocity[0].x, &boundary_velocity_[0].x, slope.data());
+    ranks_->gather(&slope[0].x, 9);
 
     for (int f = 0; f < internal; ++f) {
         const int p = m.owner[f], q = m.neighbour[f];
@@ -77,17 +80,17 @@ void flow::add_convection_and_diffusion(const flow_state& state, const flow_medi
         const bool forward = flux >= 0;
         const int up = forward ? p : q, down = forward ? q : p;
         const vector3 d = m.centre[down] - m.centre[up];
-        const vector3* slope = &gradient_[3 * up];
+        const vector3* upwind = &slope[3 * up];
         const vector3 &w_up = state.velocity[up], &w_down = state.velocity[down];
         const double share = forward ? 1 - weight : weight;
-        const vector3 more{limited_correction(w_down.x - w_up.x, dot(slope[0], d), share),
-                           limited_correction(w_down.y - w_up.y, dot(slope[1], d), share),
-                           limited_correction(w_down.z - w_up.z, dot(slope[2], d), share)};
+        const vector3 more{limited_correction(w_down.x - w_up.x, dot(upwind[0], d), share),
+                           limited_correction(w_down.y - w_up.y, dot(upwind[1], d), share),
+                           limited_correction(w_down.z - w_up.z, dot(upwind[2], d), share)};
         vector3 force = -(flux * inverse_void) * more;  // on the owner
         if (viscosity > 0) {
             const vector3 &s = m.area[f], along = forward ? d : -d;
             vector3 g[3];
-            for (int k = 0; k < 3; ++k) g[k] = weight * gradient_[3 * p + k] + (1 - weight) * gradient_[3 * q + k];
+            for (int k = 0; k < 3; ++k) g[k] = weight * slope[3 * p + k] + (1 - weight) * slope[3 * q + k];
             force += viscosity * across(g, s - m.conductance[f] * along);
             // div(mu (grad w)^T) = (grad w)^T . grad mu but for grad div w, which Eq. 9 holds with a third of mu and which
             // only shifts the pressure by about mu div w: 1e-3 Pa
@@ -96,17 +99,17 @@ void flow::add_convection_and_diffusion(const flow_state& state, const flow_medi
             if (q < m.owned_cells()) source_[q] -= iq * (viscosity - mu_q) * turned;
         }
         source_[p] += ip * force;
-        momentum_.diagonal[p] += into_p * ip;
+        momentum.diagonal[p] += into_p * ip;
         coupling_[p] += into_p * ip;
-        momentum_.entry[pattern_->owner_entry[f]] = -into_p * ip;
+        momentum.entry[pattern_->owner_entry[f]] = -into_p * ip;
         // w.grad u = div(F w / e_f) - (w / e_P) div F: upwind differences, and what a change of e does to w (Bernoulli)
         const double squeeze_p = flux * (inverse_void - ip) * ip, squeeze_q = -flux * (inverse_void - iq) * iq;
         total_[p] += squeeze_p;
         if (q < m.owned_cells()) {
             source_[q] -= iq * force;
-            momentum_.diagonal[q] += into_q * iq;
+            momentum.diagonal[q] += into_q * iq;
             coupling_[q] += into_q * iq;
-            momentum_.entry[pattern_->neighbour_entry[f]] = -into_q * iq;
+            momentum.entry[pattern_->neighbour_entry[f]] = -into_q * iq;
             total_[q] += squeeze_q;
         }
     }
@@ -116,7 +119,7 @@ void flow::add_convection_and_diffusion(const flow_state& state, const flow_medi
         const bool fixed = boundary.type[b] != kind::outlet;
         double into = std::max(-state.mass_flux[f], 0.0) * inverse_void_[p];
         if (fixed) into += boundary.wall_viscosity[b] * m.conductance[f];
-        momentum_.diagonal[p] += into * inverse_void_[p];
+        momentum.diagonal[p] += into * inverse_void_[p];
         coupling_[p] += into * inverse_void_[p];
         // what comes back through an outlet was at rest outside; carried in with the cell's momentum it would grow
         vector3 force = fixed ? into * boundary_velocity_[b] : vector3{};
@@ -124,13 +127,13 @@ void flow::add_convection_and_diffusion(const flow_state& state, const flow_medi
             force -= state.mass_flux[f] * inverse_void_[p] * (boundary_velocity_[b] - state.velocity[p]);
         if (fixed) {
             const vector3 d = m.face_centre[f] - m.centre[p];
-            force += boundary.wall_viscosity[b] * across(&gradient_[3 * p], m.area[f] - m.conductance[f] * d);
+            force += boundary.wall_viscosity[b] * across(&slope[3 * p], m.area[f] - m.conductance[f] * d);
         }
         source_[p] += inverse_void_[p] * force;
     }
     for (int c = 0; c < m.owned_cells(); ++c) {
         // accelerating into a narrower void would take from the diagonal: then it is a force
-        if (total_[c] > 0) momentum_.diagonal[c] += total_[c];
+        if (total_[c] > 0) momentum.diagonal[c] += total_[c];
         else source_[c] -= total_[c] * state.velocity[c];
     }
 }
@@ -139,7 +142,8 @@ void flow::predict(flow_state& state, const flow_medium& medium, const flow_hist
                    const flow_settings& settings) {
     const mesh& m = *mesh_;
     const int n = m.owned_cells();
-    previous_ = state.velocity;
+    const matrix& momentum = work_->a;
+    std::copy(state.velocity.begin(), state.velocity.end(), previous_.begin());
     const auto before = [&](int c) {  // velocity of the step before, for the void fraction of now
         return medium.void_fraction[c] / history.void_fraction[c] * history.velocity[c];
     };
@@ -150,7 +154,7 @@ void flow::predict(flow_state& state, const flow_medium& medium, const flow_hist
             if (history.step > 0) right[c] += inertia_[c] * before(c);
         }
         for (int i = 0; i < settings.momentum_sweeps; ++i) {
-            gauss_seidel<3>(momentum_, &right[0].x, &state.velocity[0].x, i % 2 == 1);
+            gauss_seidel<3>(momentum, &right[0].x, &state.velocity[0].x, i % 2 == 1);
             ranks_->gather(&state.velocity[0].x, 3);
         }
     }
@@ -158,7 +162,7 @@ void flow::predict(flow_state& state, const flow_medium& medium, const flow_hist
     for (int c = 0; c < n; ++c) {
         vector3 force = source_[c] - coupling_[c] * state.velocity[c];
         for (int i = pattern_->first[c]; i < pattern_->first[c + 1]; ++i)
-            force -= momentum_.entry[i] * state.velocity[pattern_->column[i]];
+            force -= momentum.entry[i] * state.velocity[pattern_->column[i]];
         const double per_volume = 1 / m.volume[c];
         drive_[c] = per_volume * force;
         total_[c] = (total_[c] - coupling_[c]) * per_volume;

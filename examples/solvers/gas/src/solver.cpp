@@ -44,7 +44,7 @@ void solver::update_medium() {
         const double e = bed.void_fraction[c];
         free_[c] = 1 - e <= settings.bed_threshold;
         medium_.viscosity[c] = free_[c] ? gas.viscosity[c] + gas.eddy_viscosity[c] : 0;
-        if (c >= m.owned_cells()) continue;  // of ghosts, the faces need the viscosity alone
+        if (c >= m.owned_cells()) continue;
         double mass = 0;
         for (int k = 0; k < species_; ++k) mass += sources.species[species_ * c + k];
         medium_.mass_source[c] = mass;
@@ -58,6 +58,7 @@ void solver::update_medium() {
         medium_.exchange[c] = free_[c] ? 0 : settings.drag({e, slip_speed_[c], gas.density[c], gas.viscosity[c],
                                                            bed.diameter[c]});
     }
+    ranks_->gather(medium_.exchange.data(), 1);
     for (int f = m.internal_faces(); f < m.faces(); ++f) {
         const int b = f - m.internal_faces(), c = m.owner[f];
         if (boundary_.type[b] == flow_boundary::kind::slip || (settings.turbulence &&
@@ -216,7 +217,7 @@ report solver::step(double dt, double storage) {
     take_bed();
     if (old_void_.empty()) old_void_ = bed.void_fraction;
     const gas_fields before = gas;
-    flow_history history{dt, storage, gas.density, old_void_, gas.flow.mass_flux, gas.flow.velocity};
+    const flow_history history{dt, storage, before.density, old_void_, before.flow.mass_flux, before.flow.velocity};
     start_from_rest();
     report r;
     const solver_settings usual = settings;

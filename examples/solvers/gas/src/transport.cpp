@@ -5,20 +5,27 @@
 
 namespace hearth::gas {
 
-transport::transport(const mesh& m, const pattern& p, const gradient& g, const parallel& ranks)
-    : a(p),
-      right(m.owned_cells()),
+transport::transport(const mesh& m, const pattern& p, const gradient& g, const parallel& ranks, workspace& work)
+    : diffusivity(m.cells(), 0.0),
+      a(work.a),
+      right(work.right),
       mesh_(&m),
       pattern_(&p),
       gradients_(&g),
       ranks_(&ranks),
-      solver_(p, ranks),
-      face_diffusivity_(m.internal_faces()),
-      values_(m.boundary_faces()),
-      slope_(m.cells()) {}
+      work_(&work),
+      solver_(ranks, work),
+      values_(m.boundary_faces()) {}
 
-void transport::assemble(const array<double>& mass_flux, const array<double>& diffusivity,
-                         const array<double>& boundary_diffusion) {
+/// Two resistances in a row, each over its cell's part of the way [kg/(m s)].
+double transport::face_diffusivity(int f) const {
+    const double here = diffusivity[mesh_->owner[f]], there = diffusivity[mesh_->neighbour[f]];
+    const double part = 1 - mesh_->owner_weight[f];  // the owner's
+    const double resistance = part * there + (1 - part) * here;
+    return resistance > 0 ? here * there / resistance : 0;
+}
+
+void transport::assemble(const array<double>& mass_flux, const array<double>& boundary_diffusion) {
     const mesh& m = *mesh_;
     const int internal = m.internal_faces(), n = m.owned_cells();
     mass_flux_ = mass_flux.data();
@@ -26,10 +33,7 @@ void transport::assemble(const array<double>& mass_flux, const array<double>& di
     a.clear();
     for (int f = 0; f < internal; ++f) {
         const int p = m.owner[f], q = m.neighbour[f];
-        const double part = 1 - m.owner_weight[f];  // the owner's part of the way
-        const double resistance = part * diffusivity[q] + (1 - part) * diffusivity[p];
-        face_diffusivity_[f] = resistance > 0 ? diffusivity[p] * diffusivity[q] / resistance : 0;
-        const double conductance = face_diffusivity_[f] * m.conductance[f], flux = mass_flux[f];
+        const double conductance = face_diffusivity(f) * m.conductance[f], flux = mass_flux[f];
         const double into_p = conductance + std::max(-flux, 0.0), into_q = conductance + std::max(flux, 0.0);
         a.entry[pattern_->owner_entry[f]] = -into_p;
         a.diagonal[p] += into_p;
@@ -41,7 +45,8 @@ void transport::assemble(const array<double>& mass_flux, const array<double>& di
         a.diagonal[m.owner[f]] += boundary_diffusion[f - internal] + std::max(-mass_flux[f], 0.0);
 }
 
-void transport::start(const array<double>& field, const array<double>& boundary_value) {
+void transport::start(const double* field, const array<double>& boundary_value) {
+    array<vector3>& slope = work_->gradient;
     const mesh& m = *mesh_;
     const int internal = m.internal_faces(), n = m.owned_cells();
     for (int f = internal; f < m.faces(); ++f) {
@@ -49,8 +54,8 @@ void transport::start(const array<double>& field, const array<double>& boundary_
         const bool given = mass_flux_[f] < 0 || boundary_diffusion_[b] > 0;
         values_[b] = given ? boundary_value[b] : field[m.owner[f]];
     }
-    gradients_->compute<1>(field.data(), values_.data(), slope_.data());
-    ranks_->gather(&slope_[0].x, 3);
+    gradients_->compute<1>(field, values_.data(), slope.data());
+    ranks_->gather(&slope[0].x, 3);
     std::fill(right.begin(), right.end(), 0.0);
     const bool skewed = m.largest_angle > 0.01;
     for (int f = 0; f < internal; ++f) {
@@ -59,11 +64,11 @@ void transport::start(const array<double>& field, const array<double>& boundary_
         const int up = forward ? p : q, down = forward ? q : p;
         const vector3 d = m.centre[down] - m.centre[up];
         const double share = forward ? 1 - m.owner_weight[f] : m.owner_weight[f];
-        double flux = mass_flux_[f] * limited_correction(field[down] - field[up], dot(slope_[up], d), share);
-        if (skewed && face_diffusivity_[f] > 0) {
+        double flux = mass_flux_[f] * limited_correction(field[down] - field[up], dot(slope[up], d), share);
+        if (skewed) {
             const vector3 skew = m.area[f] - (forward ? m.conductance[f] : -m.conductance[f]) * d;
-            const vector3 g = m.owner_weight[f] * slope_[p] + (1 - m.owner_weight[f]) * slope_[q];
-            flux -= face_diffusivity_[f] * dot(g, skew);
+            const vector3 g = m.owner_weight[f] * slope[p] + (1 - m.owner_weight[f]) * slope[q];
+            flux -= face_diffusivity(f) * dot(g, skew);
         }
         right[p] -= flux;
         if (q < n) right[q] += flux;
@@ -75,7 +80,7 @@ void transport::start(const array<double>& field, const array<double>& boundary_
             right[p] -= mass_flux_[f] * (boundary_value[b] - field[p]);
         if (skewed && boundary_diffusion_[b] > 0)
             right[p] += boundary_diffusion_[b] / m.conductance[f] *
-                        dot(slope_[p], m.area[f] - m.conductance[f] * (m.face_centre[f] - m.centre[p]));
+                        dot(slope[p], m.area[f] - m.conductance[f] * (m.face_centre[f] - m.centre[p]));
     }
 }
 

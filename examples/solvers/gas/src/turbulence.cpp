@@ -10,15 +10,13 @@ k_epsilon::k_epsilon(const mesh& m, const parallel& ranks, const constants& c)
     : mesh_(&m),
       ranks_(&ranks),
       c_(c),
-      production_(m.owned_cells()),
-      fixed_dissipation_(m.owned_cells()),
-      diffusivity_(m.cells()),
       no_diffusion_(m.boundary_faces(), 0.0) {}
 
-void k_epsilon::wall_treatment(const gas_fields& gas, const array<char>& free, flow_boundary& boundary) {
+void k_epsilon::wall_treatment(const gas_fields& gas, const array<char>& free, flow_boundary& boundary,
+                               double* production, double* fixed_dissipation) {
     const mesh& m = *mesh_;
     const double c4 = std::sqrt(std::sqrt(c_.c_mu));
-    std::fill(fixed_dissipation_.begin(), fixed_dissipation_.end(), 0.0);
+    std::fill_n(fixed_dissipation, m.owned_cells(), 0.0);
     // Where y+ leaves the viscous sublayer: y = ln(E y) / kappa.
     double edge = 11;
     for (int i = 0; i < 20; ++i) edge = std::log(c_.roughness * edge) / c_.kappa;
@@ -39,16 +37,16 @@ void k_epsilon::wall_treatment(const gas_fields& gas, const array<char>& free, f
         const double shear = norm(slip - dot(slip, n) * n) / y;
         wall_area[c] += size;
         if (turbulent > 0) {
-            fixed_dissipation_[c] += size * friction * friction * friction / (c_.kappa * y);
+            fixed_dissipation[c] += size * friction * friction * friction / (c_.kappa * y);
             wall_production[c] += size * (1 + turbulent) * nu * shear * friction / (c_.kappa * y);
         } else {
-            fixed_dissipation_[c] += size * 2 * gas.kinetic[c] * nu / (y * y);  // of the sublayer
+            fixed_dissipation[c] += size * 2 * gas.kinetic[c] * nu / (y * y);  // of the sublayer
         }
     }
     for (int c = 0; c < m.owned_cells(); ++c) {
         if (!(wall_area[c] > 0)) continue;
-        fixed_dissipation_[c] /= wall_area[c];
-        production_[c] = wall_production[c] / wall_area[c];
+        fixed_dissipation[c] /= wall_area[c];
+        production[c] = wall_production[c] / wall_area[c];
     }
 }
 
@@ -66,25 +64,27 @@ k_epsilon::iteration k_epsilon::iterate(gas_fields& gas, const bed_fields& bed, 
                                         double step) {
     const mesh& m = *mesh_;
     const int n = m.owned_cells();
+    double *const production = scalars.spare(0), *const fixed_dissipation = scalars.spare(1),
+           *const old_kinetic = scalars.spare(2);
     for (int c = 0; c < n; ++c) {
         const vector3* g = &velocity_gradient[3 * c];
         const double ie = 1 / bed.void_fraction[c];
         double twice = 0;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) twice += (g[i][j] + g[j][i]) * g[i][j];
-        production_[c] = gas.eddy_viscosity[c] / gas.density[c] * twice * ie * ie;  // [m^2/s^3]
+        production[c] = gas.eddy_viscosity[c] / gas.density[c] * twice * ie * ie;  // [m^2/s^3]
     }
-    wall_treatment(gas, free, boundary);
-    k_ = gas.kinetic;
+    wall_treatment(gas, free, boundary, production, fixed_dissipation);
+    std::copy_n(gas.kinetic.begin(), n, old_kinetic);
     double sums[4] = {0, 0, 0, 0};  // change of k, k, cells lifted, cells capped
     const solve_settings accuracy{0.05, 0, 20};
     for (const bool solve_k : {false, true}) {
         for (int c = 0; c < m.cells(); ++c)
-            diffusivity_[c] = bed.void_fraction[c] *
+            scalars.diffusivity[c] = bed.void_fraction[c] *
                               (gas.viscosity[c] + gas.eddy_viscosity[c] / (solve_k ? c_.sigma_k : c_.sigma_epsilon));
         auto& field = solve_k ? gas.kinetic : gas.dissipation;
-        scalars.assemble(gas.flow.mass_flux, diffusivity_, no_diffusion_);
-        scalars.start(field, solve_k ? boundary_kinetic : boundary_dissipation);
+        scalars.assemble(gas.flow.mass_flux, no_diffusion_);
+        scalars.start(field.data(), solve_k ? boundary_kinetic : boundary_dissipation);
         for (int c = 0; c < n; ++c) {
             const double mass = bed.void_fraction[c] * gas.density[c] * m.volume[c];
             if (!free[c]) {
@@ -94,13 +94,13 @@ k_epsilon::iteration k_epsilon::iterate(gas_fields& gas, const bed_fields& bed, 
                 fix(scalars, c, solve_k ? k : std::pow(c_.c_mu, 0.75) * k * std::sqrt(k) / length);
                 continue;
             }
-            if (!solve_k && fixed_dissipation_[c] > 0) {
+            if (!solve_k && fixed_dissipation[c] > 0) {
                 scalars.a.diagonal[c] = std::max(scalars.a.diagonal[c], 1e-30);
-                fix(scalars, c, fixed_dissipation_[c]);
+                fix(scalars, c, fixed_dissipation[c]);
                 continue;
             }
-            const double rate = gas.dissipation[c] / k_[c];  // of the new dissipation once that is solved [1/s]
-            scalars.right[c] += mass * production_[c] * (solve_k ? 1 : c_.c1 * rate);
+            const double rate = gas.dissipation[c] / old_kinetic[c];  // of the new dissipation once that is solved [1/s]
+            scalars.right[c] += mass * production[c] * (solve_k ? 1 : c_.c1 * rate);
             scalars.a.diagonal[c] += mass * rate * (solve_k ? 1 : c_.c2);
             if (step > 0) {
                 const double storage = mass / step;
@@ -111,14 +111,14 @@ k_epsilon::iteration k_epsilon::iterate(gas_fields& gas, const bed_fields& bed, 
             scalars.a.diagonal[c] += more;
             scalars.right[c] += more * field[c];
         }
-        scalars.solve(field, accuracy);
+        scalars.solve(field.data(), accuracy);
         for (int c = 0; c < m.cells(); ++c) {
             sums[2] += c < n && free[c] && field[c] < least;
             field[c] = std::max(field[c], least);
         }
     }
     for (int c = 0; c < n; ++c) {
-        sums[0] += (gas.kinetic[c] - k_[c]) * (gas.kinetic[c] - k_[c]);
+        sums[0] += (gas.kinetic[c] - old_kinetic[c]) * (gas.kinetic[c] - old_kinetic[c]);
         sums[1] += gas.kinetic[c] * gas.kinetic[c];
     }
     for (int c = 0; c < m.cells(); ++c) {

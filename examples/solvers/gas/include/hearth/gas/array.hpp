@@ -28,4 +28,19 @@ class array : public std::vector<T> {
     int count() const { return static_cast<int>(base::size()); }
 };
 
+/// Looks into an array without holding it: the array must outlive it and keep its size.
+template <class T>
+class view {
+  public:
+    view() = default;
+    view(const array<T>& whole) : data_(whole.data()) {}
+    view(array<T>&&) = delete;
+
+    template <class Index>
+    const T& operator[](Index i) const { return data_[i]; }
+
+  private:
+    const T* data_ = nullptr;
+};
+
 }  // namespace hearth::gas

@@ -11,14 +11,14 @@ namespace hearth::gas {
 
 /// What drives and resists the flow, handed in before each outer iteration.  Fields per cell with ghosts.
 struct flow_medium {
-    array<double> density;            ///< [kg/m^3]
+    view<double> density;             ///< [kg/m^3]
     array<double> compressibility;    ///< d(density)/d(pressure) [kg/(m^3 Pa)]; used in transients only
-    array<double> void_fraction;      ///< [-]
+    view<double> void_fraction;       ///< [-]
     array<double> viscosity;          ///< effective; 0 in the bed, where the drag holds all friction [Pa s]
     array<double> exchange;           ///< drag on the particles per slip of the interstitial gas [kg/(m^3 s)]
-    array<vector3> particle_velocity; ///< [m/s]
+    view<vector3> particle_velocity;  ///< [m/s]
     array<double> mass_source;        ///< [kg/s] per cell
-    array<vector3> momentum_source;   ///< with the mass source, and any other force [N] per cell
+    view<vector3> momentum_source;    ///< with the mass source, and any other force [N] per cell
     vector3 gravity;                        ///< [m/s^2]
 };
 
@@ -44,8 +44,8 @@ struct flow_state {
 struct flow_history {
     double step = 0;                    ///< [s]
     double storage = 1;                 ///< factor s on the storage of mass (time scale splitting) [-]
-    array<double> density, void_fraction, mass_flux;
-    array<vector3> velocity;
+    view<double> density, void_fraction, mass_flux;
+    view<vector3> velocity;
 };
 
 struct flow_settings {
@@ -78,7 +78,7 @@ struct flow_report {
 /// velocity is rebuilt from its face fluxes, and the pressure gradient of the cell is the one that these satisfy.
 class flow {
   public:
-    flow(const mesh& m, const pattern& p, const gradient& g, const parallel& ranks);
+    flow(const mesh& m, const pattern& p, const gradient& g, const parallel& ranks, workspace& work);
 
     flow_state make_state() const;
 
@@ -86,8 +86,8 @@ class flow {
     flow_report iterate(flow_state& state, const flow_medium& medium, const flow_boundary& boundary,
                         const flow_history& history, const flow_settings& settings);
 
-    /// Velocity gradients of the last iteration, three vectors per cell. [1/s]
-    const array<vector3>& velocity_gradient() const { return gradient_; }
+    /// Velocity gradients of the last iteration, three vectors per cell; gone once a scalar is solved. [1/s]
+    const array<vector3>& velocity_gradient() const { return work_->gradient; }
 
     /// See solver.
     template <class Part>
@@ -101,25 +101,26 @@ class flow {
                            const flow_settings&);
     void add_convection_and_diffusion(const flow_state&, const flow_medium&, const flow_boundary&);
     void predict(flow_state&, const flow_medium&, const flow_history&, const flow_settings&);
-    void assemble_pressure(const flow_state&, const flow_medium&, const flow_boundary&, const flow_history&);
-    void correct(flow_state&, const flow_medium&, const flow_history&);
+    void assemble_pressure(flow_state&, const flow_medium&, const flow_boundary&, const flow_history&);
+    void correct(flow_state&, const flow_medium&, const flow_history&, bool inertia);
     void find_pressure_slope(const flow_state&, const flow_medium&, const flow_boundary&, const flow_settings&);
 
     const mesh* mesh_;
     const pattern* pattern_;
     const gradient* gradients_;
     const parallel* ranks_;
+    workspace* work_;
     symmetric_solver pressure_solver_;
-    matrix momentum_, pressure_;
-    array<vector3> gradient_;           // of the velocity, three per cell
-    array<vector3> source_;             // of momentum, without the pressure gradient [N / e]
-    array<vector3> drive_;              // forces of the neighbours and sources, the cell's own share taken off [N/m^3]
-    array<vector3> previous_, boundary_velocity_;
-    array<double> inverse_void_;
+    // In the workspace: source_ of momentum, without the pressure gradient [N / e]; drive_, forces of the neighbours and
+    // sources, the cell's own share taken off [N/m^3]; the previous velocity.
+    array<vector3>&source_, &drive_, &previous_;
+    array<double>& inverse_void_;
+    array<vector3> boundary_velocity_;
     array<double> coupling_;            // sum of the couplings of a row [kg/s]
     array<double> total_;               // diagonal without relaxation and inertia [kg/s]
     array<double> relax_, inertia_;     // further diagonal parts; then all per volume [kg/(m^3 s)]
-    array<double> right_, conductance_, explicit_flux_, previous_pressure_;
+    array<double> outlet_conductance_;  // per boundary face [m s]
+    array<double> previous_pressure_;
     array<vector3> slope_, last_slope_;  // of the pressure, where the mesh leans [Pa/m]
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include <hearth/gas/array.hpp>
@@ -32,6 +33,22 @@ struct matrix {
     array<double> diagonal, entry;
 };
 
+/// Arrays that the equations lend one another: they are solved one after the other, and none keeps anything here.
+struct workspace {
+    explicit workspace(const pattern& p)
+        : a(p), right(p.rows), scalar(p.columns), first(p.columns), second(p.columns), third(p.columns),
+          gradient(3 * p.columns) {}
+
+    /// A third of one of the arrays of vectors: a scalar per column.
+    static double* part(array<vector3>& vectors, int i) { return &vectors[0].x + static_cast<std::ptrdiff_t>(i) * vectors.count(); }
+
+    matrix a;              ///< of the momentum, then of the pressure, then of each scalar
+    array<double> right;   ///< its right-hand side
+    array<double> scalar;                   // the linear solvers use scalar and first, the general one second too
+    array<vector3> first, second, third;
+    array<vector3> gradient;  ///< three per column: of the velocity until the first scalar is solved
+};
+
 struct solve_settings {
     double relative = 1e-2;   ///< residual over the first one, at which to stop [-]
     double absolute = 0;      ///< residual at which to stop, in the unit of the right-hand side
@@ -56,7 +73,7 @@ class preconditioner {
     virtual void apply(const double* residual, double* correction) = 0;
 };
 
-/// Algebraic multigrid by smoothed aggregation, one V-cycle with symmetric Gauss-Seidel.  Keeps its coarse levels.
+/// Algebraic multigrid by smoothed aggregation, one W-cycle with symmetric Gauss-Seidel.  Keeps its coarse levels.
 /// Vanek, Mandel, Brezina, Computing 56 (1996) 179, doi:10.1007/BF02238511.  On several ranks each rank has its own.
 std::unique_ptr<preconditioner> make_multigrid(const pattern& p);
 
@@ -64,7 +81,7 @@ std::unique_ptr<preconditioner> make_multigrid(const pattern& p);
 /// Rebuilds the preconditioner when it needs half as many iterations again as just after the last rebuild.
 class symmetric_solver {
   public:
-    symmetric_solver(const pattern& p, std::unique_ptr<preconditioner> m, const parallel& ranks);
+    symmetric_solver(std::unique_ptr<preconditioner> m, const parallel& ranks, workspace& work);
     solve_report solve(const matrix& a, const double* b, double* x, const solve_settings& settings);
     /// Builds the preconditioner anew at the next solve.
     void forget() { fresh_rate_ = 0; }
@@ -74,20 +91,20 @@ class symmetric_solver {
 
     std::unique_ptr<preconditioner> preconditioner_;
     const parallel* ranks_;
+    workspace* work_;
     double fresh_rate_ = 0;  // ln(residual reduction) per iteration just after the last rebuild
-    array<double> r_, z_, p_, q_;
 };
 
 /// BiCGSTAB (van der Vorst 1992, doi:10.1137/0913035) behind symmetric Gauss-Seidel, for matrices of any symmetry.
 /// Restarts on breakdown; the best finite iterate is kept.
 class general_solver {
   public:
-    general_solver(const pattern& p, const parallel& ranks);
+    general_solver(const parallel& ranks, workspace& work);
     solve_report solve(const matrix& a, const double* b, double* x, const solve_settings& settings);
 
   private:
     const parallel* ranks_;
-    array<double> r_, start_, p_, v_, s_, t_, y_, best_;
+    workspace* work_;
 };
 
 /// One Gauss-Seidel sweep over `Width` right-hand sides that share the matrix (cell-major); backward where asked.

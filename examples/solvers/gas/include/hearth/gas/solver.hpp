@@ -154,6 +154,7 @@ class solver {
     int species_;
     pattern pattern_;
     gradient gradients_;
+    workspace work_;
     flow flow_;
     transport scalars_;
     k_epsilon turbulence_;
@@ -162,8 +163,7 @@ class solver {
     scalar_boundary scalar_boundary_;
     array<array<double>> boundary_fraction_;   // per species, per boundary face
     array<double> face_conductance_, face_source_;         // of walls, per boundary face [W/K], [W]
-    array<double> wall_conductance_, wall_source_;   // per cell [W/K], [W]
-    array<double> diffusivity_, boundary_diffusion_, slip_speed_, old_void_, field_;
+    array<double> boundary_diffusion_, slip_speed_, old_void_;
     array<double> stored_density_;  // that the balance of mass of the last iteration ended with [kg/m^3]
     array<char> free_;
 };

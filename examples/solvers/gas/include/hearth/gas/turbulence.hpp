@@ -39,13 +39,14 @@ class k_epsilon {
 
   private:
     struct wall_face { int face, cell; double distance; };
-    void wall_treatment(const gas_fields&, const array<char>& free, flow_boundary&);
+    void wall_treatment(const gas_fields&, const array<char>& free, flow_boundary&, double* production,
+                        double* fixed_dissipation);
     void fix(transport&, int cell, double value) const;
 
     const mesh* mesh_;
     const parallel* ranks_;
     constants c_;
-    array<double> production_, fixed_dissipation_, diffusivity_, no_diffusion_, k_;
+    array<double> no_diffusion_;  // zero, per boundary face
 };
 
 }  // namespace hearth::gas
