@@ -80,7 +80,7 @@ double dot(const parallel& ranks, int n, const double* a, const double* b) {
 }
 
 /// r holds A x and becomes b - A x.  Sets the first residual; returns where to stop, never below the round-off of r.
-double begin(const parallel& ranks, int n, const double* b, array<double>& r, const solve_settings& settings,
+double begin(const parallel& ranks, int n, const double* b, double* r, const solve_settings& settings,
              solve_report& report) {
     double sums[3] = {0, 0, 0};
     for (int i = 0; i < n; ++i) {
@@ -97,8 +97,8 @@ double begin(const parallel& ranks, int n, const double* b, array<double>& r, co
 
 }  // namespace
 
-symmetric_solver::symmetric_solver(const pattern& p, std::unique_ptr<preconditioner> m, const parallel& ranks)
-    : preconditioner_(std::move(m)), ranks_(&ranks), r_(p.rows), z_(p.rows), p_(p.columns), q_(p.rows) {}
+symmetric_solver::symmetric_solver(std::unique_ptr<preconditioner> m, const parallel& ranks, workspace& work)
+    : preconditioner_(std::move(m)), ranks_(&ranks), work_(&work) {}
 
 solve_report symmetric_solver::solve(const matrix& a, const double* b, double* x, const solve_settings& settings) {
     if (fresh_rate_ == 0) preconditioner_->rebuild();
@@ -128,28 +128,31 @@ solve_report symmetric_solver::solve(const matrix& a, const double* b, double* x
 
 solve_report symmetric_solver::iterate(const matrix& a, const double* b, double* x, const solve_settings& settings) {
     const int n = a.shape->rows;
+    double *const r = workspace::part(work_->first, 0), *const z = workspace::part(work_->first, 1),
+           *const p = workspace::part(work_->first, 2), *const q = work_->scalar.data();
     solve_report report;
     ranks_->gather(x, 1);
-    a.apply(x, r_.data());
-    const double target = begin(*ranks_, n, b, r_, settings, report);
+    a.apply(x, r);
+    const double target = begin(*ranks_, n, b, r, settings, report);
     double rho = 0;
     while (!(report.converged = report.last <= target) && std::isfinite(report.last) &&
            report.iterations < settings.max_iterations) {
-        preconditioner_->apply(r_.data(), z_.data());
-        const double rho_new = dot(*ranks_, n, r_.data(), z_.data());
-        const double beta = report.iterations > 0 ? rho_new / rho : 0;
+        preconditioner_->apply(r, z);
+        const double rho_new = dot(*ranks_, n, r, z);
+        const double beta = rho_new / rho;
         rho = rho_new;
-        for (int i = 0; i < n; ++i) p_[i] = z_[i] + beta * p_[i];
-        ranks_->gather(p_.data(), 1);
-        a.apply(p_.data(), q_.data());
-        const double curvature = dot(*ranks_, n, p_.data(), q_.data());
+        if (report.iterations == 0) std::copy_n(z, n, p);
+        else for (int i = 0; i < n; ++i) p[i] = z[i] + beta * p[i];
+        ranks_->gather(p, 1);
+        a.apply(p, q);
+        const double curvature = dot(*ranks_, n, p, q);
         if (!(curvature > 0) || !std::isfinite(rho)) break;  // not positive definite, or overflow: x stays finite
         const double step = rho / curvature;
         double rest = 0;
         for (int i = 0; i < n; ++i) {
-            x[i] += step * p_[i];
-            r_[i] -= step * q_[i];
-            rest += r_[i] * r_[i];
+            x[i] += step * p[i];
+            r[i] -= step * q[i];
+            rest += r[i] * r[i];
         }
         report.last = std::sqrt(ranks_->sum(rest));
         ++report.iterations;
@@ -158,76 +161,78 @@ solve_report symmetric_solver::iterate(const matrix& a, const double* b, double*
     return report;
 }
 
-general_solver::general_solver(const pattern& p, const parallel& ranks)
-    : ranks_(&ranks), r_(p.rows), start_(p.rows), p_(p.rows), v_(p.rows), s_(p.rows), t_(p.rows), y_(p.columns),
-      best_(p.rows) {}
+general_solver::general_solver(const parallel& ranks, workspace& work) : ranks_(&ranks), work_(&work) {}
 
 solve_report general_solver::solve(const matrix& a, const double* b, double* x, const solve_settings& settings) {
     const int n = a.shape->rows;
-    const auto precondition = [&](const array<double>& from, double* to) {
-        std::fill_n(y_.begin(), y_.size(), 0.0);  // ghosts count as zero: each rank smooths its own block
-        gauss_seidel<1>(a, from.data(), y_.data(), false);
-        gauss_seidel<1>(a, from.data(), y_.data(), true);
-        ranks_->gather(y_.data(), 1);
-        a.apply(y_.data(), to);
+    double *const r = workspace::part(work_->first, 0), *const start = workspace::part(work_->first, 1),
+           *const p = workspace::part(work_->first, 2), *const v = workspace::part(work_->second, 0),
+           *const t = workspace::part(work_->second, 1), *const best_x = workspace::part(work_->second, 2),
+           *const y = work_->scalar.data();
+    const auto precondition = [&](const double* from, double* to) {
+        std::fill_n(y, a.shape->columns, 0.0);  // ghosts count as zero: each rank smooths its own block
+        gauss_seidel<1>(a, from, y, false);
+        gauss_seidel<1>(a, from, y, true);
+        ranks_->gather(y, 1);
+        a.apply(y, to);
     };
     ranks_->gather(x, 1);
-    a.apply(x, r_.data());
+    a.apply(x, r);
     solve_report report;
-    const double target = begin(*ranks_, n, b, r_, settings, report);
+    const double target = begin(*ranks_, n, b, r, settings, report);
     double best = report.last, rho = 1, alpha = 1, omega = 1;
-    std::copy_n(x, n, best_.begin());
+    std::copy_n(x, n, best_x);
     bool restart = true;
     int breakdowns = 0;
     while (!(report.converged = report.last <= target) && std::isfinite(report.last) &&
            report.iterations < settings.max_iterations) {
         if (restart) {
-            start_ = r_;
+            std::copy_n(r, n, start);
             rho = alpha = omega = 1;
-            std::fill(p_.begin(), p_.end(), 0.0);
-            std::fill(v_.begin(), v_.end(), 0.0);
+            std::fill_n(p, n, 0.0);
+            std::fill_n(v, n, 0.0);
             restart = false;
         }
-        const double rho_new = dot(*ranks_, n, start_.data(), r_.data());
+        const double rho_new = dot(*ranks_, n, start, r);
         const double beta = rho_new / rho * (alpha / omega);
         rho = rho_new;
-        for (int i = 0; i < n; ++i) p_[i] = r_[i] + beta * (p_[i] - omega * v_[i]);
-        precondition(p_, v_.data());
-        const double projection = dot(*ranks_, n, start_.data(), v_.data());
+        for (int i = 0; i < n; ++i) p[i] = r[i] + beta * (p[i] - omega * v[i]);
+        precondition(p, v);
+        const double projection = dot(*ranks_, n, start, v);
         ++report.iterations;
         if (!(std::abs(projection) > 1e-300) || !std::isfinite(beta)) {
             if (++breakdowns > 3) break;
-            std::copy(best_.begin(), best_.end(), x);
+            std::copy_n(best_x, n, x);
             ranks_->gather(x, 1);
-            a.apply(x, r_.data());
-            for (int i = 0; i < n; ++i) r_[i] = b[i] - r_[i];
+            a.apply(x, r);
+            for (int i = 0; i < n; ++i) r[i] = b[i] - r[i];
             report.last = best;
             restart = true;
             continue;
         }
         alpha = rho / projection;
         for (int i = 0; i < n; ++i) {
-            x[i] += alpha * y_[i];
-            s_[i] = r_[i] - alpha * v_[i];
+            x[i] += alpha * y[i];
+            r[i] -= alpha * v[i];
         }
-        precondition(s_, t_.data());
-        const double tt = dot(*ranks_, n, t_.data(), t_.data());
-        omega = tt > 0 ? dot(*ranks_, n, t_.data(), s_.data()) / tt : 0;
+        precondition(r, t);
+        const double tt = dot(*ranks_, n, t, t);
+        omega = tt > 0 ? dot(*ranks_, n, t, r) / tt : 0;
         double rest = 0;
         for (int i = 0; i < n; ++i) {
-            x[i] += omega * y_[i];
-            r_[i] = s_[i] - omega * t_[i];
-            rest += r_[i] * r_[i];
+            x[i] += omega * y[i];
+            r[i] -= omega * t[i];
+            rest += r[i] * r[i];
         }
         report.last = std::sqrt(ranks_->sum(rest));
         if (report.last < best) {
             best = report.last;
-            std::copy_n(x, n, best_.begin());
+            std::copy_n(x, n, best_x);
         }
         restart = !(std::abs(omega) > 0);
     }
     if (!report.converged && !(report.last <= best)) {
-        std::copy(best_.begin(), best_.end(), x);
+        std::copy_n(best_x, n, x);
         report.last = best;
     }
     ranks_->gather(x, 1);

@@ -21,6 +21,8 @@ mesh::mesh(polyhedra shape_) : patches(shape_.patches), shape(std::move(shape_))
     for (const int c : owner) last = std::max(last, c);
     for (const int c : neighbour) last = std::max(last, c);
     owned_cells_ = last + 1;
+    for (auto* numbers : {&shape.face_first, &shape.face_points, &owner, &neighbour}) numbers->shrink_to_fit();
+    shape.points.shrink_to_fit();
     compute_geometry();
     check_geometry();
     compute_weights();
@@ -202,7 +204,9 @@ void mesh::build_bins() {
             low_[k] = std::min(low_[k], low[c][k]);
             top[k] = std::max(top[k], high[c][k]);
         }
-    const double edge = std::cbrt((top.x - low_.x) * (top.y - low_.y) * (top.z - low_.z) / n);
+    // Twice as wide as a cell, and boxes that only touch a bin stay out of it (find_cell forgives 1e-6 cell sizes): few
+    // cells stand in several bins.
+    const double edge = 2 * std::cbrt((top.x - low_.x) * (top.y - low_.y) * (top.z - low_.z) / n);
     for (int k = 0; k < 3; ++k) {
         bins_[k] = std::max(1, std::min(1024, static_cast<int>((top[k] - low_[k]) / edge)));
         bin_size_[k] = (top[k] - low_[k]) / bins_[k];
@@ -211,11 +215,14 @@ void mesh::build_bins() {
         return std::max(0, std::min(bins_[k] - 1, static_cast<int>((x - low_[k]) / bin_size_[k])));
     };
     const auto for_each_bin = [&](auto visit) {
-        for (int c = 0; c < n; ++c)
-            for (int k = bin(low[c].z, 2); k <= bin(high[c].z, 2); ++k)
-                for (int j = bin(low[c].y, 1); j <= bin(high[c].y, 1); ++j)
-                    for (int i = bin(low[c].x, 0); i <= bin(high[c].x, 0); ++i)
+        for (int c = 0; c < n; ++c) {
+            const double slack = 1e-7 * std::cbrt(volume[c]);
+            const vector3 margin{slack, slack, slack}, from = low[c] + margin, to = high[c] - margin;
+            for (int k = bin(from.z, 2); k <= bin(to.z, 2); ++k)
+                for (int j = bin(from.y, 1); j <= bin(to.y, 1); ++j)
+                    for (int i = bin(from.x, 0); i <= bin(to.x, 0); ++i)
                         visit(i + bins_[0] * (j + bins_[1] * k), c);
+        }
     };
     const int bin_count = bins_[0] * bins_[1] * bins_[2];
     bin_first_.assign(bin_count + 1, 0);

@@ -15,28 +15,46 @@ using sparse = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
 /// Compressed rows in single precision: a preconditioner needs no more, and half the bytes are half the time.
 struct rows {
-    array<int> first, column;
+    const int *first = nullptr, *column = nullptr;
     array<float> value;
 
     rows() = default;
+    /// On a pattern that outlives it.
+    rows(const array<int>& first_, const array<int>& column_)
+        : first(first_.data()), column(column_.data()), value(column_.count()) {}
     explicit rows(const sparse& a)
-        : first(a.outerIndexPtr(), a.outerIndexPtr() + a.rows() + 1),
-          column(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros()),
-          value(static_cast<int>(a.nonZeros())) {
+        : value(static_cast<int>(a.nonZeros())),
+          own_first_(a.outerIndexPtr(), a.outerIndexPtr() + a.rows() + 1),
+          own_column_(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros()) {
+        first = own_first_.data();
+        column = own_column_.data();
         for (Eigen::Index i = 0; i < a.nonZeros(); ++i) value[i] = static_cast<float>(a.valuePtr()[i]);
     }
+    rows(rows&&) = default;  // moving keeps what the pointers point to
+    rows& operator=(rows&&) = default;
     float times(int row, const float* x) const {
         float sum = 0;
         for (int i = first[row]; i < first[row + 1]; ++i) sum += value[i] * x[column[i]];
         return sum;
     }
+
+  private:
+    array<int> own_first_, own_column_;
 };
 
 struct level {
     rows off;                              // off-diagonal part
     array<float> diagonal;
-    rows to_fine, to_coarse;               // towards the next level
-    array<float> x, b, r;
+    rows to_fine;                          // from the next level; its transpose leads there
+    array<float> row_sum;                  // of the whole row, on coarse levels
+    array<float> x, b, kept;
+
+    /// A row times x, in differences: a large constant in x, as nearly singular matrices make it, leaves no round-off.
+    float times(int row, const array<float>& y) const {
+        float sum = row_sum[row] * y[row];
+        for (int i = off.first[row]; i < off.first[row + 1]; ++i) sum += off.value[i] * (y[off.column[i]] - y[row]);
+        return sum;
+    }
 };
 
 /// Groups of strongly coupled cells.  Returns the group of each cell and their number.
@@ -117,11 +135,7 @@ sparse prolongation(const sparse& strong, const array<int>& group, int groups) {
 class multigrid final : public preconditioner {
   public:
     explicit multigrid(const pattern& p) : shape_(&p) {
-        fine_.off.first = p.first;
-        fine_.off.column = p.column;
-        // a rank sees its own block only: entries of ghost columns are kept as zero, column 0 stands in
-        for (int& c : fine_.off.column) c = c < p.rows ? c : 0;
-        fine_.off.value.resize(p.column.count());
+        fine_.off = rows(p.first, p.column);
         fine_.diagonal.resize(p.rows);
     }
 
@@ -129,8 +143,7 @@ class multigrid final : public preconditioner {
 
     void update(const matrix& a) override {
         const pattern& p = *shape_;
-        for (std::size_t i = 0; i < a.entry.size(); ++i)
-            fine_.off.value[i] = p.column[i] < p.rows ? static_cast<float>(a.entry[i]) : 0.0F;
+        for (std::size_t i = 0; i < a.entry.size(); ++i) fine_.off.value[i] = static_cast<float>(a.entry[i]);
         for (int c = 0; c < p.rows; ++c) fine_.diagonal[c] = static_cast<float>(a.diagonal[c]);
         if (!built_) build(a);
         built_ = true;
@@ -175,15 +188,15 @@ class multigrid final : public preconditioner {
             const array<int> group = aggregate(strong, groups);
             if (groups > 0.8 * static_cast<double>(current.rows())) break;  // nothing left to gain
             const sparse to_fine = prolongation(strong, group, groups);
-            const sparse to_coarse = to_fine.transpose();
             const sparse product = current * to_fine;
-            current = to_coarse * product;
+            current = sparse(to_fine.transpose()) * product;
             level& finer = at(coarse_.size());
             finer.to_fine = rows(to_fine);
-            finer.to_coarse = rows(to_coarse);
             level next;
             next.diagonal.resize(groups);
             for (int c = 0; c < groups; ++c) next.diagonal[c] = static_cast<float>(current.coeff(c, c));
+            const Eigen::VectorXd sums = current * Eigen::VectorXd::Ones(groups);
+            for (int c = 0; c < groups; ++c) next.row_sum.push_back(static_cast<float>(sums[c]));
             sparse off = current;
             off.prune([](Eigen::Index row, Eigen::Index column, double) { return row != column; });
             next.off = rows(off);
@@ -191,12 +204,14 @@ class multigrid final : public preconditioner {
             threshold *= 0.5;
         }
         for (std::size_t l = 0; l <= coarse_.size(); ++l)
-            for (auto* v : {&at(l).x, &at(l).b, &at(l).r}) v->assign(at(l).diagonal.size(), 0.0F);
+            for (auto* v : {&at(l).x, &at(l).b}) v->assign(at(l).diagonal.count(), 0.0F);
+        fine_.x.resize(p.columns);  // a rank sees its own block only: ghosts stay zero
         direct_.compute(Eigen::SparseMatrix<double>(current));
         direct_ok_ = direct_.info() == Eigen::Success && current.rows() <= 20000;
         right_.resize(current.rows());
     }
 
+    /// W-cycle: each coarse level is visited twice, so that the iterations do not grow with the number of levels.
     void cycle(std::size_t l) {
         level& v = at(l);
         const int n = static_cast<int>(v.diagonal.size());
@@ -213,11 +228,23 @@ class multigrid final : public preconditioner {
             v.x[c] = sum / v.diagonal[c];
         }
         if (l < coarse_.size()) {
-            for (int c = 0; c < n; ++c) v.r[c] = v.b[c] - v.diagonal[c] * v.x[c] - v.off.times(c, v.x.data());
             level& next = at(l + 1);
-            const int coarse_n = static_cast<int>(next.diagonal.size());
-            for (int c = 0; c < coarse_n; ++c) next.b[c] = v.to_coarse.times(c, v.r.data());
+            std::fill(next.b.begin(), next.b.end(), 0.0F);
+            for (int c = 0; c < n; ++c) {
+                float rest = 0;  // the sweep left of each row what is above its diagonal
+                for (int i = v.off.first[c + 1]; i-- > v.off.first[c] && v.off.column[i] > c;)
+                    rest -= v.off.value[i] * v.x[v.off.column[i]];
+                for (int i = v.to_fine.first[c]; i < v.to_fine.first[c + 1]; ++i)
+                    next.b[v.to_fine.column[i]] += v.to_fine.value[i] * rest;
+            }
             cycle(l + 1);
+            if (l + 1 < coarse_.size()) {  // once more for what is left
+                const int m = next.diagonal.count();
+                next.kept = next.x;
+                for (int c = 0; c < m; ++c) next.b[c] -= next.times(c, next.kept);
+                cycle(l + 1);
+                for (int c = 0; c < m; ++c) next.x[c] += next.kept[c];
+            }
             for (int c = 0; c < n; ++c) v.x[c] += v.to_fine.times(c, next.x.data());
         }
         for (int c = n - 1; c >= 0; --c) v.x[c] = (v.b[c] - v.off.times(c, v.x.data())) / v.diagonal[c];

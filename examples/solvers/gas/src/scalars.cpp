@@ -12,11 +12,11 @@ void solver::update_diffusivity() {
         double laminar = bed.void_fraction[c] * gas.conductivity[c] / gas.specific_heat[c];
         if (free_[c]) laminar += bed.void_fraction[c] * gas.eddy_viscosity[c] / settings.turbulent_prandtl;
         else laminar += settings.dispersion * gas.density[c] * norm(gas.flow.velocity[c]) * bed.diameter[c];
-        diffusivity_[c] = laminar;
+        scalars_.diffusivity[c] = laminar;
     }
     for (int f = m.internal_faces(); f < m.faces(); ++f) {
         const int b = f - m.internal_faces();
-        boundary_diffusion_[b] = scalar_boundary_.fixed[b] > 0 ? diffusivity_[m.owner[f]] * m.conductance[f] : 0;
+        boundary_diffusion_[b] = scalar_boundary_.fixed[b] > 0 ? scalars_.diffusivity[m.owner[f]] * m.conductance[f] : 0;
     }
 }
 
@@ -24,24 +24,28 @@ void solver::solve_enthalpy(report& r, const gas_fields* before, double dt, doub
     const mesh& m = *mesh_;
     const int n = m.owned_cells();
     update_diffusivity();
-    scalars_.assemble(gas.flow.mass_flux, diffusivity_, boundary_diffusion_);
-    scalars_.start(gas.enthalpy, scalar_boundary_.enthalpy);
+    scalars_.assemble(gas.flow.mass_flux, boundary_diffusion_);
+    scalars_.start(gas.enthalpy.data(), scalar_boundary_.enthalpy);
     const double relax = settings.energy_relaxation;
+    if (r.species_change > 0)  // the temperature that the present enthalpy has in the new mixture
+        for (int c = 0; c < n; ++c)
+            gas.temperature[c] = model_->temperature(gas.enthalpy[c], composition(c), gas.temperature[c]);
+    // particles and walls: conductance * T - source, T linear in h about the present state
+    const auto exchange = [&](int c, double conductance, double source) {
+        const double per_heat = 1 / gas.specific_heat[c];
+        scalars_.a.diagonal[c] += conductance * per_heat;
+        scalars_.right[c] += source - conductance * (gas.temperature[c] - gas.enthalpy[c] * per_heat);
+    };
+    for (int b = 0; b < m.boundary_faces(); ++b)
+        exchange(m.owner[b + m.internal_faces()], face_conductance_[b], face_source_[b]);
     for (int c = 0; c < n; ++c) {
         double& diagonal = scalars_.a.diagonal[c];
         double& right = scalars_.right[c];
-        if (r.species_change > 0)  // the temperature that the present enthalpy has in the new mixture
-            gas.temperature[c] = model_->temperature(gas.enthalpy[c], composition(c), gas.temperature[c]);
         right += sources.enthalpy[c];
         const double mass = medium_.mass_source[c];
         if (mass > 0) diagonal += mass;
         else right -= mass * gas.enthalpy[c];
-        // particles and walls: conductance * T - source, T linear in h about the present state
-        const double conductance = bed.heat_conductance[c] + wall_conductance_[c];
-        const double per_heat = 1 / gas.specific_heat[c];
-        diagonal += conductance * per_heat;
-        right += bed.heat_source[c] + wall_source_[c] -
-                 conductance * (gas.temperature[c] - gas.enthalpy[c] * per_heat);
+        exchange(c, bed.heat_conductance[c], bed.heat_source[c]);
         if (dt > 0) {
             const double rate = storage * m.volume[c] / dt;
             const double kept = rate * old_void_[c] * before->density[c];
@@ -57,16 +61,17 @@ void solver::solve_enthalpy(report& r, const gas_fields* before, double dt, doub
         diagonal /= relax;
         right += (1 - relax) * diagonal * gas.enthalpy[c];
     }
-    field_ = gas.enthalpy;
-    r.scalar_iterations += scalars_.solve(field_, settings.scalars).iterations;
+    double* const enthalpy = scalars_.spare(0);
+    std::copy(gas.enthalpy.begin(), gas.enthalpy.end(), enthalpy);
+    r.scalar_iterations += scalars_.solve(enthalpy, settings.scalars).iterations;
     double greatest = 0;
     r.temperature_limited = 0;
     for (int c = 0; c < m.cells(); ++c) {
-        if (!std::isfinite(field_[c])) {
-            greatest = field_[c];
+        if (!std::isfinite(enthalpy[c])) {
+            greatest = enthalpy[c];
             break;
         }
-        gas.enthalpy[c] = field_[c];
+        gas.enthalpy[c] = enthalpy[c];
         const double t = gas.temperature[c];
         const double* y = composition(c);
         gas.temperature[c] = model_->temperature(gas.enthalpy[c], y, t);
@@ -86,7 +91,7 @@ void solver::solve_species(report& r, const gas_fields* before, double dt, doubl
     const int n = m.owned_cells();
     update_diffusivity();
     // The same matrix for all; the last species, the bath gas, is what is left, so that the sum is 1.
-    scalars_.assemble(gas.flow.mass_flux, diffusivity_, boundary_diffusion_);
+    scalars_.assemble(gas.flow.mass_flux, boundary_diffusion_);
     const double relax = settings.energy_relaxation;
     for (int c = 0; c < n; ++c) {
         double& diagonal = scalars_.a.diagonal[c];
@@ -97,23 +102,24 @@ void solver::solve_species(report& r, const gas_fields* before, double dt, doubl
     }
     const int width = species_;
     double greatest = 0;
+    double* const fraction = scalars_.spare(0);
     for (int k = 0; k + 1 < species_; ++k) {
-        for (int c = 0; c < m.cells(); ++c) field_[c] = gas.mass_fraction[width * c + k];
-        scalars_.start(field_, boundary_fraction_[k]);
+        for (int c = 0; c < m.cells(); ++c) fraction[c] = gas.mass_fraction[width * c + k];
+        scalars_.start(fraction, boundary_fraction_[k]);
         for (int c = 0; c < n; ++c) {
             double& right = scalars_.right[c];
-            right += sources.species[width * c + k] - std::min(medium_.mass_source[c], 0.0) * field_[c];
+            right += sources.species[width * c + k] - std::min(medium_.mass_source[c], 0.0) * fraction[c];
             if (dt > 0)
                 right += storage * m.volume[c] / dt * old_void_[c] * before->density[c] *
                          before->mass_fraction[width * c + k];
-            right += (1 - relax) * scalars_.a.diagonal[c] * field_[c];
-            if (scalars_.a.diagonal[c] <= 1e-30 / relax) right = scalars_.a.diagonal[c] * field_[c];
+            right += (1 - relax) * scalars_.a.diagonal[c] * fraction[c];
+            if (scalars_.a.diagonal[c] <= 1e-30 / relax) right = scalars_.a.diagonal[c] * fraction[c];
         }
-        r.scalar_iterations += scalars_.solve(field_, settings.scalars).iterations;
+        r.scalar_iterations += scalars_.solve(fraction, settings.scalars).iterations;
         for (int c = 0; c < m.cells(); ++c) {
             double& y = gas.mass_fraction[width * c + k];
-            greatest = std::max(greatest, std::abs(field_[c] - y));
-            y = field_[c];
+            greatest = std::max(greatest, std::abs(fraction[c] - y));
+            y = fraction[c];
         }
     }
     for (int c = 0; c < m.cells(); ++c) {

@@ -27,8 +27,9 @@ solver::solver(const mesh& m, std::shared_ptr<const gas_model> model, solver_set
       species_(model_->species_count()),
       pattern_(m),
       gradients_(m),
-      flow_(m, pattern_, gradients_, ranks),
-      scalars_(m, pattern_, gradients_, ranks),
+      work_(pattern_),
+      flow_(m, pattern_, gradients_, ranks, work_),
+      scalars_(m, pattern_, gradients_, ranks, work_),
       turbulence_(m, ranks, settings.turbulence_constants) {
     const int n = m.cells(), b = m.boundary_faces();
     require(species_ >= 1, "the gas model must have a species");
@@ -51,7 +52,7 @@ solver::solver(const mesh& m, std::shared_ptr<const gas_model> model, solver_set
     scalar_boundary_.temperature.assign(b, 300.0);
     boundary_.velocity.assign(b, {});
     boundary_fraction_.assign(species_, array<double>(b, 0.0));
-    for (auto* field : {&wall_conductance_, &wall_source_, &diffusivity_, &slip_speed_, &field_}) field->assign(n, 0.0);
+    slip_speed_.assign(n, 0.0);
     free_.assign(n, 1);
     medium_.compressibility.assign(n, 0.0);
     medium_.exchange.assign(n, 0.0);
@@ -114,12 +115,6 @@ void solver::set(const std::string& name, const patch_condition& c) {
             scalar_boundary_.enthalpy[b] = model_->enthalpy(c.temperature(x), y.data());
             scalar_boundary_.fixed[b] = 1;
         }
-    }
-    std::fill(wall_conductance_.begin(), wall_conductance_.end(), 0.0);
-    std::fill(wall_source_.begin(), wall_source_.end(), 0.0);
-    for (int b = 0; b < m.boundary_faces(); ++b) {
-        wall_conductance_[m.owner[b + m.internal_faces()]] += face_conductance_[b];
-        wall_source_[m.owner[b + m.internal_faces()]] += face_source_[b];
     }
 }
 
