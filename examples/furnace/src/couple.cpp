@@ -50,7 +50,7 @@ thermal_network::params network_params() {
     return p;
 }
 
-constexpr double ring_mass = 1e-3;  // of a ring of the wall, which stores nothing that counts [kg]
+constexpr double ring_mass = 1e-6;  // of a ring of the wall, which stores nothing that counts [kg]
 constexpr double hot = 2130;  // product is dead burnt above [K]
 
 }  // namespace
@@ -121,9 +121,12 @@ void furnace::parts::ignite() {
         fields.temperature[i] = fields.hottest[i] = t;
         fields.watched[i] = cold || z > scene.burners.height + 0.5 ? 1 : 0;
     }
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+        const double z = (static_cast<double>(r) + 0.5) * scene.shaft.height / static_cast<double>(rings.size());
+        rings.temperature()[r] = cold ? scene.particles.feed_temperature : at_height(profile.particle_temperature, z, scene.shaft.height);
+    }
     place_bed();
     shaft.solver.level_zero();
-    for (int pass = 0; pass < 5; ++pass) gas_report = shaft.solver.iterate();
     now = phase::couple;
 }
 
@@ -161,13 +164,14 @@ void furnace::parts::move(double time) {
         }
     }
     passed_over_feed -= passed.mass_in * fed;
+    fed_mass += passed.mass_in;
     fields.carry(passed, scene.particles.feed_temperature);
 }
 
 void furnace::parts::couple() {
     shaft.solver.forget_levels();  // so that a step depends on what each_part lists alone
     const double enthalpy_before = bed_enthalpy(), mass_before = bed->total_mass();
-    passed_mass = passed_enthalpy = passed_over_feed = 0;
+    fed_mass = passed_mass = passed_enthalpy = passed_over_feed = 0;
     move(0.5 * process_step);  // motion, exchange, motion: second order in the step
     place_bed();
     exchange_with_gas();
@@ -188,7 +192,7 @@ void furnace::parts::couple() {
     past.stored.push_back((bed_enthalpy() - enthalpy_before) / process_step);
     past.offgas.push_back(shaft.solver.mean_temperature(shaft.outlet()));
     past.gas_missing.push_back(gas_report.mass.in + gas_report.mass.source - gas_report.mass.out);
-    past.solid_missing.push_back(scene.particles.mass_flow - (passed_mass + bed->total_mass() - mass_before) / process_step);
+    past.solid_missing.push_back((fed_mass - passed_mass - (bed->total_mass() - mass_before)) / process_step);
     judge();
 }
 
@@ -232,10 +236,12 @@ void furnace::parts::exchange_with_gas() {
         }
         {
             const stopwatch timing(seconds.gas);
-            for (int inner = 0; inner < 6; ++inner) {
-                gas_report = inner == 0 && pass == 0 ? solver.iterate() : solver.iterate_scalars();
+            // The flow follows the bed slowly: one iteration a coupling, but for the first, which comes from rest.
+            const int flows = pass > 0 ? 0 : couplings == 0 ? 20 : 1;
+            for (int inner = 0; inner < flows + (couplings == 0 ? 40 : 6); ++inner) {
+                gas_report = inner < flows ? solver.iterate() : solver.iterate_scalars();
                 if (gas_report.broken) throw std::runtime_error("hearth::furnace: gas: " + gas_report.reason);
-                if (inner > 0 && gas_report.temperature_change < 1) break;
+                if (inner >= flows && gas_report.temperature_change < 0.2) break;
             }
         }
         {

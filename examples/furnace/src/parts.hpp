@@ -125,7 +125,7 @@ struct furnace::parts {
     int couplings = 0, extra = 0;
     bool converged = false;
     std::vector<double> product_hottest, product_hot_seconds;  // of watched parcels that left
-    double passed_mass = 0, passed_enthalpy = 0, passed_over_feed = 0;  // of this coupling
+    double fed_mass = 0, passed_mass = 0, passed_enthalpy = 0, passed_over_feed = 0;  // of this coupling
     struct {
         double dem = 0, motion = 0, voidage = 0, transfer = 0, gas = 0, convection = 0, links = 0, radiation = 0, all = 0;
         std::vector<double> phases = std::vector<double>(5, 0.0);
