@@ -52,7 +52,7 @@ TEST_CASE("a moving, fed and discharged bed dries: water and heat are accounted 
     const auto rebuilds = b.rebuilds();
     const auto heat_content = [&] {
         double sum = 0;
-        for (index i = 0; i < b.size(); ++i) {
+        for (std::int32_t i = 0; i < b.size(); ++i) {
             const auto& c = wet.contents()[static_cast<std::size_t>(i)];
             sum += c.dry * cp.enthalpy(b.temperatures()[i]) + c.water * water_term.liquid_enthalpy(b.temperatures()[i]);
         }
@@ -75,7 +75,7 @@ TEST_CASE("a moving, fed and discharged bed dries: water and heat are accounted 
     CHECK(evaporated > 0.05 * wet.water_brought());
     CHECK(wet.water_carried_out() > 0);
     CHECK(std::fabs(wet.water_brought() - wet.water_carried_out() - evaporated - wet.water()) < 1e-12 * wet.water_brought());
-    for (index i = 0; i < b.size(); ++i) {
+    for (std::int32_t i = 0; i < b.size(); ++i) {
         const auto& c = wet.contents()[static_cast<std::size_t>(i)];
         CHECK(b.mass(i) == doctest::Approx(c.dry + c.water).epsilon(1e-12));
         CHECK((c.water >= 0 && c.water <= 0.02 * c.dry * (1 + 1e-12)));
@@ -117,8 +117,8 @@ TEST_CASE("values by id follow their particles wherever they are sorted, and are
     std::int64_t gone = 0, made = 0;
     const auto follow = [&] {
         marks.follow(
-            b, [&](index i) { return ++made, b.ids()[i]; }, [&](std::int64_t) { ++gone; });
-        for (index i = 0; i < b.size(); ++i) CHECK(marks.values()[static_cast<std::size_t>(i)] == b.ids()[i]);
+            b, [&](std::int32_t i) { return ++made, b.ids()[i]; }, [&](std::int64_t) { ++gone; });
+        for (std::int32_t i = 0; i < b.size(); ++i) CHECK(marks.values()[static_cast<std::size_t>(i)] == b.ids()[i]);
     };
     follow();
     const auto at_first = made;

@@ -53,9 +53,9 @@ struct running_tube {
 };
 
 /// Share of a ball that is void: the rest are the lenses and spheres that lie in it.
-double void_in_ball(const sphere* all, index count, const vector3& centre, double ball) {
+double void_in_ball(const sphere* all, std::int32_t count, const vector3& centre, double ball) {
     double solid = 0;
-    for (index i = 0; i < count; ++i) {
+    for (std::int32_t i = 0; i < count; ++i) {
         const double r = all[i].radius, gap = norm(all[i].centre - centre);
         if (gap >= ball + r) continue;
         if (gap <= ball - r) {
@@ -81,7 +81,7 @@ struct ball_voids {
                     if (std::hypot(x, y) <= radius - 1.5 * d) centres.push_back({x, y, z});
         sum.assign(centres.size(), 0.0);
     }
-    void see(const sphere* all, index count, double weight = 1) {
+    void see(const sphere* all, std::int32_t count, double weight = 1) {
         for (std::size_t k = 0; k < centres.size(); ++k) sum[k] += weight * void_in_ball(all, count, centres[k], 1.5 * d);
         samples += weight;
     }
@@ -94,12 +94,12 @@ struct ball_voids {
 
 double deepest(const bed& b) {
     double overlap = 0;
-    b.for_each_contact([&](index, index, double, double o, const vector3&) { overlap = std::fmax(overlap, o); });
+    b.for_each_contact([&](std::int32_t, std::int32_t, double, double o, const vector3&) { overlap = std::fmax(overlap, o); });
     return overlap;
 }
 double deepest(const moving_bed& b) {
     double overlap = 0;
-    b.for_each_contact([&](index, index, double, double o, const vector3&) { overlap = std::fmax(overlap, o); });
+    b.for_each_contact([&](std::int32_t, std::int32_t, double, double o, const vector3&) { overlap = std::fmax(overlap, o); });
     return overlap;
 }
 
@@ -243,7 +243,7 @@ TEST_CASE("recorded motion: mean velocities carry the mass flow through every cr
     }
     recorded_bed b = tube().repeat(3.0);
     double speed = 0;
-    for (index i = 0; i < b.size(); ++i) speed -= b.masses()[static_cast<std::size_t>(i)] * b.velocity(i).z;
+    for (std::int32_t i = 0; i < b.size(); ++i) speed -= b.masses()[static_cast<std::size_t>(i)] * b.velocity(i).z;
     CHECK(std::fabs(speed / (3.0 * level) - 1) < 0.15);
 }
 
@@ -301,11 +301,11 @@ TEST_CASE("frozen bed: stays, and has the contacts, forces and walls of the DEM 
     frozen_bed frozen(b);
     const passage p = frozen.advance(1e6);
     CHECK(p.left.empty());
-    for (index i = 0; i < frozen.size(); ++i) CHECK(p.origin[static_cast<std::size_t>(i)] == i);
-    using found = std::map<std::pair<index, index>, double>;
+    for (std::int32_t i = 0; i < frozen.size(); ++i) CHECK(p.origin[static_cast<std::size_t>(i)] == i);
+    using found = std::map<std::pair<std::int32_t, std::int32_t>, double>;
     const auto pairs_of = [](const auto& any) {
         found all;
-        any.for_each_contact([&](index i, index j, double force, double, const vector3&) {
+        any.for_each_contact([&](std::int32_t i, std::int32_t j, double force, double, const vector3&) {
             CHECK(all.emplace(std::minmax(i, j), force).second);
         });
         return all;
@@ -327,11 +327,11 @@ TEST_CASE("frozen bed: stays, and has the contacts, forces and walls of the DEM 
         CHECK(walls[k].overlap == doctest::Approx(dem_walls[k].overlap).epsilon(1e-12));
     }
     std::size_t near = 0, near_dem = 0, wall_near = 0, wall_near_dem = 0;
-    frozen.for_each_near(2.5, [&](index, index, double) { ++near; });
-    b.for_each_near(2.5, [&](index, index, double) { ++near_dem; });
+    frozen.for_each_near(2.5, [&](std::int32_t, std::int32_t, double) { ++near; });
+    b.for_each_near(2.5, [&](std::int32_t, std::int32_t, double) { ++near_dem; });
     CHECK(near == near_dem);
-    frozen.for_each_near_wall(1.0, [&](index, int, double) { ++wall_near; });
-    b.for_each_near_wall(1.0, [&](index, int, double) { ++wall_near_dem; });
+    frozen.for_each_near_wall(1.0, [&](std::int32_t, int, double) { ++wall_near; });
+    b.for_each_near_wall(1.0, [&](std::int32_t, int, double) { ++wall_near_dem; });
     CHECK(wall_near == wall_near_dem);
     frozen.set_patch_temperature(1, 900);
     CHECK(frozen.patch_temperature(1) == 900);

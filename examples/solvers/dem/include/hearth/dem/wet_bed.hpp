@@ -107,32 +107,7 @@ class wet_bed {
     /// the particles; baths: of whole parcels [W/K]; caloric_of(i): of the dry material.
     template <class Drying, class Gas, class CaloricOf, class Clock>
     books dry(const Drying& term, const Gas& gas, const std::vector<heat_bath<double>>& baths, const CaloricOf& caloric_of,
-              const Clock& clock, double step) {
-        follow();
-        bed& b = heated_->spheres();
-        if (baths.size() != contents().size())
-            throw bad_value("number of baths", bad_value::no_index, static_cast<double>(baths.size()), "that of particles");
-        if (!(step >= 0) || !std::isfinite(step))
-            throw bad_value("step", bad_value::no_index, step, "finite and >= 0 [s]");
-        const double grains = std::pow(heated_->parcel_factor(), 3);
-        books sum;
-        for (index i = 0; i < b.size(); ++i) {
-            content& c = contents_.values()[static_cast<std::size_t>(i)];
-            const auto film = term.gas_film(view<wet_bed>(*this, i),
-                                            view<Gas>(gas, static_cast<particle_index_t<Gas>>(i)), clock);
-            const auto after = drying_step(
-                b.temperatures()[i], c.dry, c.water, caloric_of(static_cast<std::size_t>(i)), term,
-                baths[static_cast<std::size_t>(i)], [&](double kelvin) { return grains * film.rate(kelvin); },
-                clock.factor(static_cast<std::size_t>(i)) * step);
-            b.temperatures()[i] = after.temperature;
-            c.water = after.moisture;
-            b.set_mass(i, c.dry + c.water);
-            sum.evaporated += after.evaporated;
-            sum.vapour_enthalpy += after.vapour_enthalpy;
-            sum.heat += after.conducted + after.radiated;
-        }
-        return sum;
-    }
+              const Clock& clock, double step);
 
   private:
     thermal_bed* heated_;
@@ -162,3 +137,36 @@ struct hearth::particle_traits<hearth::dem::wet_bed> {
         return of_bed::get(tag, c.heated(), i);
     }
 };
+
+namespace hearth::dem {
+
+template <class Drying, class Gas, class CaloricOf, class Clock>
+wet_bed::books wet_bed::dry(const Drying& term, const Gas& gas, const std::vector<heat_bath<double>>& baths,
+                            const CaloricOf& caloric_of, const Clock& clock, double step) {
+    follow();
+    bed& b = heated_->spheres();
+    if (baths.size() != contents().size())
+        throw bad_value("number of baths", bad_value::no_index, static_cast<double>(baths.size()), "that of particles");
+    if (!(step >= 0) || !std::isfinite(step))
+        throw bad_value("step", bad_value::no_index, step, "finite and >= 0 [s]");
+    const double grains = std::pow(heated_->parcel_factor(), 3);
+    books sum;
+    for (index i = 0; i < b.size(); ++i) {
+        content& c = contents_.values()[static_cast<std::size_t>(i)];
+        const auto film = term.gas_film(view<wet_bed>(*this, i),
+                                        view<Gas>(gas, static_cast<particle_index_t<Gas>>(i)), clock);
+        const auto after = drying_step(
+            b.temperatures()[i], c.dry, c.water, caloric_of(static_cast<std::size_t>(i)), term,
+            baths[static_cast<std::size_t>(i)], [&](double kelvin) { return grains * film.rate(kelvin); },
+            clock.factor(static_cast<std::size_t>(i)) * step);
+        b.temperatures()[i] = after.temperature;
+        c.water = after.moisture;
+        b.set_mass(i, c.dry + c.water);
+        sum.evaporated += after.evaporated;
+        sum.vapour_enthalpy += after.vapour_enthalpy;
+        sum.heat += after.conducted + after.radiated;
+    }
+    return sum;
+}
+
+}  // namespace hearth::dem
