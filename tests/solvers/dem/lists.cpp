@@ -51,11 +51,11 @@ using id_pair = std::pair<std::int64_t, std::int64_t>;
 
 std::set<id_pair> touching(const bed& b, bool by_list) {
     std::set<id_pair> found;
-    const auto name = [&](index i, index j) { return std::minmax(b.ids()[i], b.ids()[j]); };
+    const auto name = [&](hearth::dem::index i, index j) { return std::minmax(b.ids()[i], b.ids()[j]); };
     if (by_list) {
-        b.for_each_contact([&](index i, index j, double, double, const vector3&) { found.insert(name(i, j)); });
+        b.for_each_contact([&](hearth::dem::index i, index j, double, double, const vector3&) { found.insert(name(i, j)); });
     } else {
-        for (index i = 0; i < b.size(); ++i)
+        for (hearth::dem::index i = 0; i < b.size(); ++i)
             for (index j = i + 1; j < b.size(); ++j)
                 if (norm(b.spheres()[i].centre - b.spheres()[j].centre) < b.spheres()[i].radius + b.spheres()[j].radius)
                     found.insert(name(i, j));
@@ -66,7 +66,7 @@ std::set<id_pair> touching(const bed& b, bool by_list) {
 /// Positions in the order of ids.
 std::vector<vector3> by_id(const bed& b) {
     std::vector<vector3> x(static_cast<std::size_t>(b.size()));
-    for (index i = 0; i < b.size(); ++i) x[static_cast<std::size_t>(b.ids()[i])] = b.spheres()[i].centre;
+    for (hearth::dem::index i = 0; i < b.size(); ++i) x[static_cast<std::size_t>(b.ids()[i])] = b.spheres()[i].centre;
     return x;
 }
 
@@ -186,14 +186,14 @@ TEST_CASE("removing particles leaves the springs of the others alone") {
     control.insert(balls);
     control.advance(1000);
     std::vector<index> out;
-    for (index i = 0; i < b.size(); ++i)
+    for (hearth::dem::index i = 0; i < b.size(); ++i)
         if (b.ids()[i] % 20 % 2 == 0) out.push_back(i);
     b.remove(out);
     CHECK(b.size() == 20);
     b.advance(1000);
     control.advance(1000);
     const auto expected = by_id(control);
-    for (index i = 0; i < b.size(); ++i) {
+    for (hearth::dem::index i = 0; i < b.size(); ++i) {
         CHECK(norm(b.spheres()[i].centre - expected[static_cast<std::size_t>(b.ids()[i])]) < 1e-12);
     }
 }
