@@ -93,14 +93,12 @@ struct grain_cloud {
 inline grain_cloud grains(thermal_bed& b) { return {&b}; }
 
 /// To be called once on the links of a scene, so that the bed conducts as one of grains.  A bed of spheres k times as large
-/// conducts alike by contacts and gas films and k times as much by radiation, but a k-th as much through contacts with walls.
+/// conducts alike by contacts and gas films, and k times as much by radiation.  Links to walls stay as they are: a parcel's
+/// contact is a k-th as good per area of wall, which makes up for the layers of grains that its radius jumps over.
 template <class Link>
 void scale_parcels(link_list<Link>& links, int parcel_factor) {
-    const double k = parcel_factor;
     if constexpr (!std::is_same_v<Link, conductive_link<double>>)
-        for (auto& pair : links.pairs) pair.link.radiation /= k;
-    if constexpr (!std::is_same_v<Link, radiative_link<double>>)
-        for (auto& wall : links.walls) wall.link.conductance *= k;
+        for (auto& pair : links.pairs) pair.link.radiation /= parcel_factor;
 }
 
 }  // namespace hearth::dem
