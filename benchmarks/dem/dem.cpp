@@ -22,83 +22,19 @@
 #include <hearth/transfer/radiation.hpp>
 
 #include "dem/lammps.hpp"
+#include "dem/settled_bed.hpp"
 #include "support/counters.hpp"
-#include "support/random.hpp"
 
 namespace {
 
 using namespace hearth::dem;
-
-bed_settings settings() {
-    bed_settings s;
-    s.step = 2.7e-5;
-    s.contact.damping = 0.3;
-    return s;
-}
-
-bed empty_cylinder() {
-    bed b(settings());
-    wall w;
-    w.contact = b.settings().contact;
-    w.facets = shape::plane({0, 0, 0}, {0, 0, 1});
-    b.add_wall(w);
-    w.facets = shape::cylinder({0, 0, -1}, {0, 0, 20}, 0.425);
-    b.add_wall(w);
-    return b;
-}
-
-/// 20 000 spheres, settled from a loose lattice.
-bed layer() {
-    hearth_test::seeded random(1);
-    std::vector<particle> balls;
-    const double a = 0.0198;
-    for (int k = 0; balls.size() < 20000; ++k) {
-        for (int j = -30; j <= 30; ++j) {
-            for (int i = -30; i <= 30 && balls.size() < 20000; ++i) {
-                particle p;
-                p.position = {(i + 0.5 * (k & 1)) * a, (j + 0.5 * (k & 1)) * a, 0.0105 + 0.72 * k * a};
-                if (std::hypot(p.position.x, p.position.y) > 0.414) continue;
-                p.velocity = {random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0};
-                p.radius = 0.5 * random.uniform(0.016, 0.0195);
-                p.density = 3580;
-                balls.push_back(p);
-            }
-        }
-    }
-    bed b = empty_cylinder();
-    b.insert(balls);
-    b.advance(9000);
-    return b;
-}
 
 /// So many spheres: layers on top of one another, settled again where they meet.
 bed& settled(int count) {
     static std::map<int, std::unique_ptr<bed>> beds;
     std::unique_ptr<bed>& b = beds[count];
     if (b) return *b;
-    if (count == 20000) {
-        b = std::make_unique<bed>(layer());
-        return *b;
-    }
-    const bed& one = settled(20000);
-    std::vector<double> heights;
-    for (std::int32_t i = 0; i < one.size(); ++i) heights.push_back(one.spheres()[i].centre.z);
-    const auto top = heights.end() - one.size() / 200;  // what sticks out on top of a layer stays away
-    std::nth_element(heights.begin(), top, heights.end());
-    std::vector<particle> balls;
-    for (int k = 0; k < count / 20000; ++k) {
-        for (std::int32_t i = 0; i < one.size(); ++i) {
-            if (one.spheres()[i].centre.z > *top) continue;
-            particle p;
-            p.position = one.spheres()[i].centre + vector3{0, 0, k * (*top + 0.012)};
-            p.radius = one.spheres()[i].radius;
-            p.density = 3580;
-            balls.push_back(p);
-        }
-    }
-    b = std::make_unique<bed>(empty_cylinder());
-    b->insert(balls);
-    b->advance(9000);
+    b = std::make_unique<bed>(count == 20000 ? bench::settled_layer() : bench::settled_layers(settled(20000), count / 20000));
     return *b;
 }
 

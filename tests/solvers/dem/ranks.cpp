@@ -59,7 +59,8 @@ vector3 total(const bed& b, Term&& term) {
 }  // namespace
 
 TEST_CASE("ranks: fed, stirred and emptied, a bed has the bits of one rank; balanced as it moves") {
-    for (const auto& [axis, how] : {std::pair{2, outflow::rule::driven}, std::pair{0, outflow::rule::paper}}) {
+    for (const auto how : {outflow::rule::driven, outflow::rule::paper}) {
+        const int axis = how == outflow::rule::driven ? 2 : 0;
         CAPTURE(axis);
         plant mine(shared_by_all(axis), how), alone(decomposition{}, how);
         for (int part = 0; part < 3; ++part) {
