@@ -38,12 +38,9 @@ status furnace::now() const {
     s.offgas_temperature = p.shaft.solver.mean_temperature(p.shaft.outlet());
     s.solids_outlet_temperature = p.outlet_temperature();
     s.pressure_drop = p.shaft.solver.mean_pressure("bottom") - p.scene.gas.pressure;
-    double voids = 0, volume = 0;
-    for (int c = 0; c < p.shaft.grid().cells(); ++c) {
-        voids += p.shaft.solver.bed.void_fraction[c] * p.shaft.grid().volume[c];
-        volume += p.shaft.grid().volume[c];
-    }
-    s.mean_void_fraction = voids / volume;
+    constexpr double pi = 3.14159265358979323846;
+    const double shaft = pi / 4 * p.scene.shaft.diameter * p.scene.shaft.diameter * p.scene.shaft.height;
+    s.mean_void_fraction = 1 - p.bed->total_mass() / p.scene.particles.density / shaft;
     if (p.couplings == 0) return s;
     s.wall_heat_loss = p.past.wall.back();
     s.gas_enthalpy_out = p.past.gas_out.back();

@@ -5,44 +5,16 @@
 #include <cmath>
 #include <iterator>
 
-#include <hearth/furnace/furnace.hpp>
+#include "coarse_column.hpp"
 
 using namespace hearth::furnace;
 
 namespace {
 
-/// A fifth of the shaft's diameter, so that few parcels will do: fluxes and losses per mass are those of the paper.
-settings coarse_column() {
-    settings scene;
-    scene.title = "coarse column";
-    scene.shaft.diameter = 0.17;
-    scene.shaft.hopper_height = 0;
-    scene.shaft.zones = {{0, 10, 3 * 0.2, 320}};
-    for (double* flow : {&scene.particles.mass_flow, &scene.air.volume_flow, &scene.burners.mass_flow}) *flow *= 0.04;
-    scene.burners.feed = burner_feed::section;
-    scene.bed.packing = bed_packing::lattice;
-    scene.bed.motion = bed_motion::plug;
-    scene.bed.coarse_graining = 2.2;
-    scene.physics.combustion = burning::mixed_is_burnt;
-    scene.mesh.across = 4;
-    scene.mesh.axial_size = 0.12;
-    scene.mesh.axial_size_bottom = 0.04;
-    scene.mesh.axial_size_burners = 0.05;
-    scene.time.couplings = 12;
-    scene.time.residence_times = 0.06;
-    scene.time.balance_tolerance = 1;
-    return scene;
-}
-
 /// Without what a clock tells.
 saved_state timeless(saved_state state) {
     for (auto at = state.begin(); at != state.end();) at = at->first.compare(0, 8, "seconds/") == 0 ? state.erase(at) : std::next(at);
     return state;
-}
-
-void run_couplings(furnace& shaft, int count) {
-    while (shaft.current() == phase::fill || shaft.current() == phase::ignite) shaft.step();
-    for (int k = 0; k < count; ++k) shaft.step();
 }
 
 }  // namespace
