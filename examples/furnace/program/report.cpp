@@ -109,6 +109,10 @@ std::string comparison(const settings& scene, const summary& s) {
     if (s.enthalpy_audit && s.fuel_power && *s.fuel_power > 0) audit = *s.enthalpy_audit / *s.fuel_power;
     row("  with what the bed stores", "-", audit, 100, "%.3f", "%");
     row("run time", "-", s.wall_time, 1, "%.0f", "s");
+    if (!s.converged) {
+        out += "\nNot steady yet: heat that comes and heat that leaves differ, or an outlet still drifts.  More time.residence_times\n"
+               "and time.couplings bring it nearer.\n";
+    }
     if (paper) {
         out +=
             "\nPaper: Spijker, Pollhammer, Raupenstrauch (2023), doi:10.1002/ceat.202200617.  It leaves open, and this run assumes:\n"

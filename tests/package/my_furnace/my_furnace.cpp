@@ -8,19 +8,23 @@ int main() {
     namespace hf = hearth::furnace;
     // A furnace in code: what is not set is the furnace of the paper.
     hf::settings scene;
+    scene.shaft.height = 3;
+    scene.shaft.hopper_height = 0;
+    scene.burners.height = 2;
     scene.bed.motion = hf::bed_motion::plug;
     scene.physics.combustion = hf::burning::mixed_is_burnt;
     scene.bed.coarse_graining = 10;
     scene.mesh.across = 4;
     scene.mesh.axial_size = 0.3;
-    scene.mesh.axial_size_bottom = scene.mesh.axial_size_burners = 0.1;
+    scene.mesh.axial_size_bottom = scene.mesh.axial_size_burners = 0.15;
     scene.time.couplings = 6;
     scene.time.residence_times = 0.05;
     hf::furnace shaft(scene);
 
     double hottest_before = 0;
     while (!shaft.done()) {
-        shaft.step();
+        shaft.step();  // DEM packs the bed first; then each step is a coupling
+        if (shaft.steps_done() == 0) continue;
         const hf::status now = shaft.now();
         std::printf("%5.0f s: peak %.0f K, off-gas %.0f K\n", now.process_time, now.peak_particle_temperature, now.offgas_temperature);
         if (shaft.steps_done() == 3) {
