@@ -84,6 +84,9 @@ TEST_CASE("partition: the shares hold every cell, face and patch of the whole on
             wall += m.area_of(m.find_patch("wall"));
         }
         for (const int n : owners) CHECK(n == 1);
+        double whole_volume = 0;
+        for (const double v : whole.volume) whole_volume += v;
+        CHECK(volume == doctest::Approx(whole_volume).epsilon(1e-13));
         CHECK(2 * static_cast<int>(cut.size()) == towards_ghosts);
         CHECK(inner + towards_ghosts / 2 == whole.internal_faces());
         CHECK(boundary == whole.boundary_faces());

@@ -11,8 +11,8 @@ namespace hearth::gas {
 array<int> partition(const mesh& whole, int parts) {
     const int n = whole.owned_cells();
     if (parts < 1 || parts > n)
-        throw std::invalid_argument("hearth::gas: partition: " + std::to_string(parts) + " parts of " + std::to_string(n) +
-                                    " cells, allowed: 1 to the number of cells");
+        throw std::invalid_argument("hearth::gas: partition: " + std::to_string(parts) + " parts of " +
+                                    std::to_string(n) + " cells, allowed: 1 to the number of cells");
     array<int> cells(n), part(n, 0);
     array<std::int64_t> place(n);
     std::iota(cells.begin(), cells.end(), 0);

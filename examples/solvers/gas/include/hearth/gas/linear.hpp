@@ -40,13 +40,15 @@ struct workspace {
           gradient(3 * p.columns) {}
 
     /// A third of one of the arrays of vectors: a scalar per column.
-    static double* part(array<vector3>& vectors, int i) { return &vectors[0].x + static_cast<std::ptrdiff_t>(i) * vectors.count(); }
+    static double* part(array<vector3>& vectors, int i) {
+        return &vectors[0].x + static_cast<std::ptrdiff_t>(i) * vectors.count();
+    }
 
-    matrix a;              ///< of the momentum, then of the pressure, then of each scalar
-    array<double> right;   ///< its right-hand side
-    array<double> scalar;                   // the linear solvers use scalar and first, the general one second too
+    matrix a;                             ///< of the momentum, then of the pressure, then of each scalar
+    array<double> right;                  ///< its right-hand side
+    array<double> scalar;                 ///< the linear solvers use this one and first, the general one second too
     array<vector3> first, second, third;
-    array<vector3> gradient;  ///< three per column: of the velocity until the first scalar is solved
+    array<vector3> gradient;              ///< three per column: of the velocity until the first scalar is solved
 };
 
 struct solve_settings {
