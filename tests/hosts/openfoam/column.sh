@@ -4,7 +4,7 @@
 #     column.sh CASE WORK FOLDER_OF_libhearthPackedBed.so column "MPIEXEC AND FLAGS"
 set -euo pipefail
 case=$1 work=$2 check=$4 mpiexec=$5
-export WM_PROJECT_DIR=/usr/share/openfoam LD_LIBRARY_PATH=$3${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+export WM_PROJECT_DIR=/usr/share/openfoam OMPI_MCA_mpi_yield_when_idle=1 LD_LIBRARY_PATH=$3${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 rm -rf "$work"
 mkdir -p "$work"
 cp -r "$case"/. "$work"

@@ -4,7 +4,7 @@
 #     voidage.sh CASE WORK hearthVoidFraction conformance "MPIEXEC AND FLAGS"
 set -euo pipefail
 case=$1 work=$2 utility=$3 conformance=$4 mpiexec=$5
-export WM_PROJECT_DIR=/usr/share/openfoam
+export WM_PROJECT_DIR=/usr/share/openfoam OMPI_MCA_mpi_yield_when_idle=1
 rm -rf "$work"
 mkdir -p "$work"
 cp -r "$case"/. "$work"
