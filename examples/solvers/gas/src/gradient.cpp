@@ -31,19 +31,23 @@ gradient::gradient(const mesh& m) : mesh_(&m), inverse_(m.cells(), symmetric{0, 
     }
 }
 
+template <int Width>
 void gradient::solve(vector3* sums) const {
     for (int c = 0; c < mesh_->owned_cells(); ++c) {
         const symmetric& s = inverse_[c];
-        vector3& g = sums[c];
-        g = {s.xx * g.x + s.xy * g.y + s.xz * g.z, s.xy * g.x + s.yy * g.y + s.yz * g.z,
-             s.xz * g.x + s.yz * g.y + s.zz * g.z};
+        for (int k = 0; k < Width; ++k) {
+            vector3& g = sums[Width * c + k];
+            g = {s.xx * g.x + s.xy * g.y + s.xz * g.z, s.xy * g.x + s.yy * g.y + s.yz * g.z,
+                 s.xz * g.x + s.yz * g.y + s.zz * g.z};
+        }
     }
 }
+template void gradient::solve<1>(vector3*) const;
 
 template <int Width>
 void gradient::compute(const double* field, const double* boundary, vector3* out) const {
     const mesh& m = *mesh_;
-    const int internal = m.internal_faces(), n = m.owned_cells();
+    const int internal = m.internal_faces();
     for (int i = 0; i < Width * m.cells(); ++i) out[i] = {};
     for (int f = 0; f < internal; ++f) {
         const int p = m.owner[f], q = m.neighbour[f];
@@ -62,14 +66,7 @@ void gradient::compute(const double* field, const double* boundary, vector3* out
         for (int k = 0; k < Width; ++k)
             out[Width * p + k] += w * (boundary[Width * (f - internal) + k] - field[Width * p + k]) * d;
     }
-    for (int c = 0; c < n; ++c) {
-        const symmetric& s = inverse_[c];
-        for (int k = 0; k < Width; ++k) {
-            vector3& g = out[Width * c + k];
-            g = {s.xx * g.x + s.xy * g.y + s.xz * g.z, s.xy * g.x + s.yy * g.y + s.yz * g.z,
-                 s.xz * g.x + s.yz * g.y + s.zz * g.z};
-        }
-    }
+    solve<Width>(out);
 }
 template void gradient::compute<1>(const double*, const double*, vector3*) const;
 template void gradient::compute<3>(const double*, const double*, vector3*) const;

@@ -20,6 +20,7 @@ class gradient {
 
     /// Turns, for each owned cell, the sum over its faces of d difference / |d|^2 into the gradient that fits the
     /// differences best; d as in the constructor, from the cell to its neighbour or to its boundary face.
+    template <int Width = 1>
     void solve(vector3* sums) const;
 
   private:
