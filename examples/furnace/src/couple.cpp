@@ -133,7 +133,8 @@ void furnace::parts::ignite() {
 void furnace::parts::place_bed() {
     const stopwatch timing(seconds.voidage);
     std::vector<double> solid(static_cast<std::size_t>(shaft.grid().cells()));
-    const filtered_fraction_report report = shaft.transfer.distribute(parcels{*bed, fields}, solid);
+    shaft.transfer.distribute(parcels{*bed, fields}, solid);
+    const filtered_fraction_report report = shaft.fill.distribute(parcels{*bed, fields}, solid);
     stranded = report.cap.stranded_volume;
     auto& fluid = shaft.solver.bed;
     for (std::size_t c = 0; c < solid.size(); ++c) fluid.void_fraction[c] = 1 - solid[c];

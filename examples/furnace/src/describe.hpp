@@ -73,6 +73,8 @@ void describe(Settings& s, Key&& key) {
     key("voidage", "threshold", s.voidage.threshold, range{0.1, 1}, "Largest solid fraction of a cell (0.9 in the paper)");
     key("voidage", "width_in_diameters", s.voidage.width_in_diameters, range{0.1, 5}, "Width sigma of the kernel over the particle diameter");
 
+    key("voidage", "exchange_width_in_diameters", s.voidage.exchange_width_in_diameters, range{0.05, 5}, "The same of the kernel that spreads a parcel's heat exchange: a parcel is wider than what it stands for, and its heat ought not to be");
+
     key("mesh", "cells_across", s.mesh.across, range{4, 1000}, "Cells over the diameter");
     key("mesh", "axial_size_m", s.mesh.axial_size, range{1e-3, 10}, "Height of the cells");
     key("mesh", "axial_size_bottom_m", s.mesh.axial_size_bottom, range{1e-3, 10}, "Height of the cells in the lowest 0.8 m, where cold air meets hot stones");

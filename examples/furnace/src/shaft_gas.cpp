@@ -63,7 +63,8 @@ shaft_gas::shaft_gas(const settings& scene, double parcel_diameter)
       graph_(mesh_),
       locator_(mesh_, graph_),
       outlet_(scene.shaft.hopper_height > 0 ? "outlet" : "top"),
-      transfer(locator_, {scene.voidage.width_in_diameters * parcel_diameter, scene.voidage.threshold, 1e-5}),
+      fill(locator_, {scene.voidage.width_in_diameters * parcel_diameter, scene.voidage.threshold, 1e-5}),
+      transfer(locator_, {scene.voidage.exchange_width_in_diameters * parcel_diameter, 1.0, 1e-5}),
       model(std::make_shared<mixture>(air(), premix(scene.burners.equivalence_ratio), scene.physics.combustion, scene.gas.pressure)),
       solver(mesh_, model, solver_settings_of(scene)) {
     const double normal_density = 101325 / (combustion::gas_constant * 273.15 * combustion::sum(air()));

@@ -50,7 +50,8 @@ class shaft_gas {
     double air_flow_ = 0, burner_flow_ = 0;
 
   public:
-    transfer_operator<gas::mesh> transfer;
+    transfer_operator<gas::mesh> fill;      ///< for the solid fraction, as smooth as closures want it
+    transfer_operator<gas::mesh> transfer;  ///< for the exchange of heat, no wider than it must be
     std::shared_ptr<const mixture> model;
     gas::solver solver;
 };

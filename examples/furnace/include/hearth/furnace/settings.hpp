@@ -93,6 +93,7 @@ struct settings {
         voidage_method method = voidage_method::filtered;
         double threshold = 0.74;
         double width_in_diameters = 0.5;
+        double exchange_width_in_diameters = 0.15;
     } voidage;
 
     struct {
