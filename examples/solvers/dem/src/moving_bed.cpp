@@ -36,6 +36,7 @@ std::vector<double> masses_of(const bed& b) {
 }  // namespace
 
 surroundings surroundings::of(const bed& b) {
+    check(!b.is_shared(), "number of ranks of the bed", b.among().size(), "1: beds that a rule moves are on one rank");
     surroundings around{b.law(), {}, {}};
     for (int w = 0; w < b.wall_count(); ++w) {
         if (b.wall_open(w)) continue;

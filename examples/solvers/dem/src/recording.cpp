@@ -77,6 +77,7 @@ recorder::recorder(const recording::settings& s) : settings_(s) {
 }
 
 bool recorder::observe(const bed& b) {
+    check(!b.is_shared(), "number of ranks of the bed", b.among().size(), "1: motion is recorded on one rank");
     const std::vector<int> contacts = b.contact_counts();
     std::vector<std::pair<std::uint32_t, index>> seen;
     std::vector<index> arrived;

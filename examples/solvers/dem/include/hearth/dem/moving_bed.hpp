@@ -19,7 +19,8 @@ struct surroundings {
     std::vector<wall> walls;
     std::vector<contact_law> wall_laws;
 
-    /// Those of a bed, without its open walls.  Throws bad_value for a wall that moves and is no belt.
+    /// Those of a bed, without its open walls.  Throws bad_value for a wall that moves and is no belt, and
+    /// for a bed on several ranks.
     static surroundings of(const bed& b);
 };
 

@@ -84,7 +84,7 @@ class recorder {
     /// Throws bad_value.
     explicit recorder(const recording::settings& s);
     /// Keeps a frame if anybody has left the bed since the last one; call it after each update of the outflow.  Particles
-    /// count from when they rest on two others, or on one and a wall.
+    /// count from when they rest on two others, or on one and a wall.  Throws bad_value for a bed on several ranks.
     bool observe(const bed& b);
     /// Mass that has left the bed since the first frame [kg].
     double mass_left() const { return mass_left_; }

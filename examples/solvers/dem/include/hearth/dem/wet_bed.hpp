@@ -16,7 +16,7 @@
 namespace hearth::dem {
 
 /// Values that belong to the particles of a bed by their ids, in the order of its indices: composition, moisture, marks.
-/// Of the particles of this rank.
+/// For a bed on one rank: follow() throws bad_value for another.
 template <class Value>
 class per_particle {
   public:
@@ -24,6 +24,10 @@ class per_particle {
     /// those whose particles have left.  Call it before the values are used; it does nothing while no index has changed.
     template <class Made, class Gone>
     void follow(const bed& b, Made&& made, Gone&& gone) {
+        if (b.is_shared()) {
+            throw bad_value("number of ranks of the bed", bad_value::no_index, b.among().size(),
+                            "1: values by id do not go from rank to rank");
+        }
         if (followed_ && revision_ == b.revision()) return;
         std::vector<std::pair<std::int64_t, std::size_t>> known;
         for (std::size_t k = 0; k < ids_.size(); ++k) known.emplace_back(ids_[k], k);
