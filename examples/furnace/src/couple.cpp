@@ -313,10 +313,10 @@ double furnace::parts::outlet_temperature(std::size_t back) const {
 /// Steady: heat that comes leaves, and the outlets stand still.  The peak settles long before (it is not asked).
 void furnace::parts::judge() {
     const std::size_t w = window();
-    const double scale = std::max(shaft.fuel_power(), 1e3);
+    const double scale = std::max(shaft.fuel_power(), 1e3), drift = 500 * scene.time.balance_tolerance;  // 5 K for one percent
     converged = past.gas_out.size() >= 2 * w && std::abs(imbalance()) < scene.time.balance_tolerance * scale &&
-                std::abs(recent_mean(past.offgas, w) - recent_mean(past.offgas, w, w)) < 2 &&
-                std::abs(outlet_temperature() - outlet_temperature(w)) < 2;
+                std::abs(recent_mean(past.offgas, w) - recent_mean(past.offgas, w, w)) < drift &&
+                std::abs(outlet_temperature() - outlet_temperature(w)) < drift;
     if (couplings < scene.time.couplings) return;
     now = converged || couplings >= 2 * scene.time.couplings ? phase::report : phase::converge;
 }
