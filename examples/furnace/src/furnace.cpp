@@ -136,6 +136,12 @@ int furnace::steps_planned() const { return parts_->scene.time.couplings; }
 const shaft_profile& furnace::profile() const { return parts_->profile; }
 void furnace::set_burner_flow(double mass_flow) { parts_->shaft.set_burners(mass_flow); }
 saved_state furnace::save() const { return parts_->save(); }
-void furnace::restore(const saved_state& saved) { parts_->restore(saved); }
+void furnace::restore(const saved_state& saved) {
+    try {
+        parts_->restore(saved);
+    } catch (const dem::state_error& error) {
+        throw bad_scene(error.what());
+    }
+}
 
 }  // namespace hearth::furnace
