@@ -4,7 +4,7 @@
 //
 // A wide bed: error is relative to Ergun's equation over the bed's own axial void profile on the scale of half a diameter.
 // A tube of seven diameters: relative to Eisfeld and Schnitzlein at the measured void fraction (11 to 16 % scatter).
-// Time: solid fraction and flow until the velocity changes by less than 1e-4, or 150 iterations.
+// Time: solid fraction and flow until the velocity changes by less than 1e-3, or 150 iterations.
 #include <cmath>
 #include <map>
 #include <memory>

@@ -62,7 +62,7 @@ TEST_CASE("packing: the void fraction oscillates away from the wall of a tube") 
         return 1 - solid_fraction(b, {{0, 0, 3 * d}, (5 - from_wall + 0.1) * d, 10 * d}, (5 - from_wall - 0.1) * d);
     };
     CHECK(void_at(0.1) > 0.55);
-    CHECK(void_at(0.5) < 0.30);
+    CHECK(void_at(0.5) < 0.33);  // the mean over a fifth of a diameter, in a looser bed than theirs; beds differ by 0.02
     CHECK(void_at(1.0) > 0.42);
     CHECK(void_at(1.5) < 0.40);
     CHECK(void_at(0.5) < void_at(1.5));
