@@ -112,6 +112,7 @@ void furnace::parts::fit_to_packing() {
 }
 
 void furnace::parts::ignite() {
+    place_bed();  // before the gas starts: it flows through the bed, not through what the solver held before there was one
     shaft.start(profile);
     const bool cold = scene.time.start == start_from::cold;
     for (std::size_t i = 0; i < fields.temperature.size(); ++i) {
@@ -125,8 +126,6 @@ void furnace::parts::ignite() {
         const double z = (static_cast<double>(r) + 0.5) * scene.shaft.height / static_cast<double>(rings.size());
         rings.temperature()[r] = cold ? scene.particles.feed_temperature : at_height(profile.particle_temperature, z, scene.shaft.height);
     }
-    place_bed();
-    shaft.solver.level_zero();
     now = phase::couple;
 }
 

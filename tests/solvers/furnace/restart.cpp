@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// A furnace that DEM packs, saved and restored at every phase.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "coarse_column.hpp"
+
+using namespace hearth::furnace;
+
+TEST_CASE("restart: before and after every phase the state holds all that the next step depends on") {
+    settings scene;
+    scene.shaft.height = 3;
+    scene.shaft.hopper_height = 0;
+    scene.burners.height = 2;
+    scene.bed.packing = bed_packing::dem;
+    scene.bed.motion = bed_motion::plug;
+    scene.bed.coarse_graining = 10;
+    scene.physics.combustion = burning::mixed_is_burnt;
+    scene.mesh.across = 4;
+    scene.mesh.axial_size = 0.3;
+    scene.mesh.axial_size_bottom = scene.mesh.axial_size_burners = 0.15;
+    scene.time.couplings = 2;
+    scene.time.residence_times = 0.05;
+    furnace calm(scene);
+    int steps = 0, compared = 0;
+    for (; !calm.done(); ++steps) {
+        const phase before = calm.current();
+        if (before == phase::fill && steps % 12 != 0) {
+            calm.step();
+            continue;
+        }
+        furnace restored(scene);
+        restored.restore(calm.save());
+        CHECK(restored.current() == before);
+        calm.step();
+        restored.step();
+        CAPTURE(steps);
+        CAPTURE(std::string(name(before)));
+        const saved_state one = timeless(calm.save()), other = timeless(restored.save());
+        for (const auto& [part, values] : one) {
+            CAPTURE(part);
+            CHECK(same_bits(other.at(part), values));
+        }
+        CHECK(other.size() == one.size());
+        ++compared;
+    }
+    CHECK(compared >= 5);  // filling, ignition, and the couplings
+}
