@@ -104,10 +104,7 @@ std::vector<double> flat(const std::vector<std::array<double, 3>>& vectors) {
 /// Why a number is not there, as far as the scene tells.
 std::string reason(const std::string& key, const settings& scene) {
     const auto is = [&](const char* word) { return key.find(word) != std::string::npos; };
-    if (!scene.physics.heat && (is("_K") || is("temperature") || is("enthalpy") || is("heat"))) return "physics.heat = false";
     if (is("nitric_oxide") && !scene.physics.nitric_oxide) return "physics.nitric_oxide = false";
-    const bool gas_key = is("nitric_oxide") || is("mole_fraction") || is("excess_air") || is("fuel_power") || is("heat_consumption");
-    if (gas_key && scene.physics.combustion == burning::none) return "physics.combustion = \"none\"";
     if (is("carbon_monoxide") && scene.physics.combustion == burning::mixed_is_burnt) {
         return "physics.combustion = \"mixed_is_burnt\" knows no carbon monoxide";
     }

@@ -2,31 +2,12 @@
 // One coupling of gas and bed, and what leads to the first.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "parts.hpp"
 
 namespace hearth::furnace {
 
 namespace {
-
-void need(bool holds, const char* what) {
-    if (!holds) throw bad_scene(what);
-}
-
-/// The scene with what this program can run, or a sentence about what it cannot.
-const settings& runnable(const settings& scene) {
-    check(scene);
-    need(scene.bed.motion == bed_motion::plug || scene.bed.motion == bed_motion::recorded, "bed.motion: a furnace moves its bed as a \"plug\" or \"recorded\"");
-    need(scene.physics.heat, "physics.heat: a furnace without heat is not built here");
-    need(scene.physics.combustion == burning::mixed_is_burnt || scene.physics.combustion == burning::equilibrium,
-         "physics.combustion: a furnace burns as \"mixed_is_burnt\" or to \"equilibrium\"");
-    need(scene.voidage.method == voidage_method::filtered, "voidage.method: a furnace uses \"filtered\"");
-    need(scene.burners.equivalence_ratio <= 1 || scene.physics.combustion == burning::equilibrium,
-         "burners.equivalence_ratio: above 1 only with physics.combustion = \"equilibrium\"");
-    need(scene.time.acceleration_factor > 0, "time.acceleration_factor: \"auto\" is for beds that DEM moves all the time");
-    return scene;
-}
 
 stone_radiation make_radiation(const settings& scene) {
     radiation_params p;
@@ -55,15 +36,8 @@ constexpr double hot = 2130;  // product is dead burnt above [K]
 
 }  // namespace
 
-double recent_mean(const std::vector<double>& values, std::size_t count, std::size_t back) {
-    if (values.size() <= back || count == 0) return 0;
-    const std::size_t end = values.size() - back, begin = end > count ? end - count : 0;
-    return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(begin), values.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
-           static_cast<double>(end - begin);
-}
-
 furnace::parts::parts(const settings& given)
-    : scene(runnable(given)),
+    : scene((check(given), given)),
       profile(solve_shaft_profile(scene)),
       coarse_graining(scene.bed.coarse_graining),
       shaft(scene, scene.bed.coarse_graining * sauter_diameter(scene)),
@@ -294,30 +268,6 @@ void furnace::parts::exchange_with_neighbours() {
     rings.temperature().assign(temperature.begin() + static_cast<std::ptrdiff_t>(count), temperature.end());
     temperature.resize(count);
     fields.temperature = std::move(temperature);
-}
-
-std::size_t furnace::parts::window() const {
-    return static_cast<std::size_t>(std::max(10.0, std::ceil(0.1 * residence_time / process_step)));
-}
-
-double furnace::parts::imbalance(std::size_t back) const {
-    return -(recent_mean(past.gas_out, window(), back) + recent_mean(past.solids_out, window(), back) + recent_mean(past.wall, window(), back));
-}
-
-double furnace::parts::outlet_temperature(std::size_t back) const {
-    const double mass = recent_mean(past.product, window(), back), enthalpy = recent_mean(past.product_enthalpy, window(), back);
-    return mass > 0 ? spinel::temperature(enthalpy / mass) : 0;
-}
-
-/// Steady: heat that comes leaves, and the outlets stand still.  The peak settles long before (it is not asked).
-void furnace::parts::judge() {
-    const std::size_t w = window();
-    const double scale = std::max(shaft.fuel_power(), 1e3), drift = 500 * scene.time.balance_tolerance;  // 5 K for one percent
-    converged = past.gas_out.size() >= 2 * w && std::abs(imbalance()) < scene.time.balance_tolerance * scale &&
-                std::abs(recent_mean(past.offgas, w) - recent_mean(past.offgas, w, w)) < drift &&
-                std::abs(outlet_temperature() - outlet_temperature(w)) < drift;
-    if (couplings < scene.time.couplings) return;
-    now = converged || couplings >= 2 * scene.time.couplings ? phase::report : phase::converge;
 }
 
 }  // namespace hearth::furnace

@@ -17,11 +17,9 @@ struct range {
 };
 
 /// The words that a key of the enumeration takes, in the order of its values.
-constexpr auto names(bed_motion) { return std::array<std::string_view, 4>{"frozen", "plug", "recorded", "dem"}; }
-constexpr auto names(burning) {
-    return std::array<std::string_view, 4>{"none", "mixed_is_burnt", "equilibrium", "jones_lindstedt"};
-}
-constexpr auto names(voidage_method) { return std::array<std::string_view, 2>{"filtered", "smoother"}; }
+constexpr auto names(bed_motion) { return std::array<std::string_view, 1>{"plug"}; }
+constexpr auto names(burning) { return std::array<std::string_view, 2>{"mixed_is_burnt", "equilibrium"}; }
+constexpr auto names(voidage_method) { return std::array<std::string_view, 1>{"filtered"}; }
 constexpr auto names(bed_packing) { return std::array<std::string_view, 2>{"dem", "lattice"}; }
 constexpr auto names(burner_feed) { return std::array<std::string_view, 2>{"nozzles", "section"}; }
 constexpr auto names(start_from) { return std::array<std::string_view, 2>{"one_dimensional", "cold"}; }
@@ -59,17 +57,16 @@ void describe(Settings& s, Key&& key) {
     key("gas", "ignition_temperature_K", s.gas.ignition_temperature, range{300, 3000}, "Gas around the burners at the start");
 
     key("bed", "packing", s.bed.packing, range{}, "Where the parcels lie: as DEM lets them fall, or on a lattice of bed.void_fraction");
-    key("bed", "motion", s.bed.motion, range{}, "How the bed moves");
+    key("bed", "motion", s.bed.motion, range{}, "How the bed moves: as a body that sinks; what leaves below comes back on top as feed");
     key("bed", "coarse_graining", s.bed.coarse_graining, range{1, 10}, "Diameter of a parcel over that of its particles");
     key("bed", "void_fraction", s.bed.void_fraction, range{0.3, 0.7}, "Mean void fraction of a bed that is not packed by DEM (assumed)");
-    key("bed", "dem_time_s", s.bed.dem_time, range{0, 1e5}, "DEM time that is recorded");
     key("bed", "softened_modulus_Pa", s.bed.softened_modulus, range{1e5, 1e12}, "Young's modulus of the motion");
     key("bed", "modulus_Pa", s.bed.modulus, range{1e6, 1e13}, "True Young's modulus, for the contact areas");
     key("bed", "poisson_ratio", s.bed.poisson_ratio, range{0, 0.49}, "Poisson ratio (assumed: spinel)");
     key("bed", "friction", s.bed.friction, range{0, 2}, "Friction between particles and with walls (assumed)");
     key("bed", "restitution", s.bed.restitution, range{0.01, 1}, "Coefficient of restitution (assumed)");
 
-    key("voidage", "method", s.voidage.method, range{}, "filtered: deposit, kernel, cap; smoother: the paper's Volume Fraction Smoother");
+    key("voidage", "method", s.voidage.method, range{}, "How parcels become a solid fraction: deposited, spread by a kernel, capped");
     key("voidage", "threshold", s.voidage.threshold, range{0.1, 1}, "Largest solid fraction of a cell (0.9 in the paper)");
     key("voidage", "width_in_diameters", s.voidage.width_in_diameters, range{0.1, 5}, "Width sigma of the kernel over the particle diameter");
 
@@ -80,15 +77,12 @@ void describe(Settings& s, Key&& key) {
     key("mesh", "axial_size_bottom_m", s.mesh.axial_size_bottom, range{1e-3, 10}, "Height of the cells in the lowest 0.8 m, where cold air meets hot stones");
     key("mesh", "axial_size_burners_m", s.mesh.axial_size_burners, range{1e-3, 10}, "Height of the cells around the burners");
 
-    key("physics", "heat", s.physics.heat, range{}, "Temperatures of gas and particles");
     key("physics", "radiation", s.physics.radiation, range{}, "Radiation between particles and with walls");
     key("physics", "conduction", s.physics.conduction, range{}, "Conduction through contacts and gas films");
-    key("physics", "turbulence", s.physics.turbulence, range{}, "k-epsilon where there is no bed");
     key("physics", "nitric_oxide", s.physics.nitric_oxide, range{}, "Thermal NO, computed after the run");
     key("physics", "combustion", s.physics.combustion, range{}, "How the gas burns");
 
-    key("time", "acceleration_factor", s.time.acceleration_factor, range{1, 1e4}, "Gamma, or \"auto\" to choose it from the tolerance");
-    key("time", "tolerance", s.time.tolerance, range{1e-4, 1}, "Error of the splitting over the range of temperatures, for \"auto\"");
+    key("time", "acceleration_factor", s.time.acceleration_factor, range{1, 1e4}, "Gamma");
     key("time", "couplings", s.time.couplings, range{1, 1e7}, "Exchanges between gas and bed in all");
     key("time", "residence_times", s.time.residence_times, range{0, 1000}, "Process time over the residence time of the solids");
     key("time", "start", s.time.start, range{}, "Where the temperatures start from");

@@ -60,7 +60,6 @@ mixture::mixture(const per_species& first, const per_species& second, burning ho
 
 per_species mixture::burnt(double share, double temperature) const {
     const per_species n = blend(streams_[0], streams_[1], share);
-    if (how_ == burning::none) return n;
     // Below 1000 K the equilibrium of lean gas is complete to 1e-8.
     if (how_ == burning::mixed_is_burnt || (temperature < 1000 && n[combustion::O2] > 2 * n[combustion::CH4])) return completely(n);
     return combustion::equilibrium_at(n, temperature, pressure_);

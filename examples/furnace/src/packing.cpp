@@ -119,9 +119,6 @@ std::unique_ptr<dem::moving_bed> remake_bed(const settings& scene, std::vector<d
     const double height = scene.shaft.height;
     dem::surroundings around{dem::contact_law::between_particles(softened(scene), contact_of(scene)), {shaft_wall(scene, height)}, {}};
     around.wall_laws.push_back(dem::contact_law::with_wall(softened(scene), softened(scene), contact_of(scene)));
-    if (scene.bed.motion == bed_motion::frozen) {
-        return std::make_unique<dem::frozen_bed>(std::move(spheres), std::move(masses), std::move(around));
-    }
     return std::make_unique<dem::plug_bed>(std::move(spheres), std::move(masses), dem::zone{{0, 0, 0}, 0.5 * scene.shaft.diameter, height},
                                            std::move(around), scene.particles.mass_flow);
 }

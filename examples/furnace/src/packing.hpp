@@ -21,7 +21,7 @@ dem::contact_settings contact_of(const settings& scene);
 /// The lattice leans a little, so that parcels leave one by one and not by layers.
 std::unique_ptr<dem::moving_bed> lattice_bed(const settings& scene);
 
-/// A bed of these spheres that sinks as a plug, or rests; centres within the shaft.
+/// A bed of these spheres that sinks as a plug; centres within the shaft.
 std::unique_ptr<dem::moving_bed> remake_bed(const settings& scene, std::vector<dem::sphere> spheres, std::vector<double> masses);
 
 /// DEM lets parcels fall from a loose start until they rest, up to the top of the shaft.
@@ -37,7 +37,7 @@ class filling {
     dem::bed& bed() { return bed_; }
     const dem::bed& bed() const { return bed_; }
 
-    /// The packing with its spare top cut off, as a bed that sinks as a plug or rests.
+    /// The packing with its spare top cut off, as a bed that sinks as a plug.
     std::unique_ptr<dem::moving_bed> finished() const;
 
     double gravity() const { return bed_.settings().gravity.z; }  ///< [m/s^2]

@@ -81,7 +81,7 @@ struct furnace::parts {
     void judge();
 
     void use_bed(std::unique_ptr<dem::moving_bed> made);
-    bool packed_by_dem() const { return scene.bed.motion != bed_motion::plug || scene.bed.packing == bed_packing::dem; }
+    bool packed_by_dem() const { return scene.bed.packing == bed_packing::dem; }
     void fit_to_packing();
     void move(double process_time);
     void exchange_with_gas();

@@ -100,12 +100,7 @@ class reader {
             if (!node.is_integer()) refuse(&node, path + " is not a whole number");
             value = static_cast<Value>(number(node, path, allowed));
         } else {
-            if (path == "time.acceleration_factor" && node.is_string()) {
-                if (word(node, path) != "auto") refuse(&node, path + " is neither a number nor \"auto\"");
-                value = 0;
-            } else {
-                value = number(node, path, allowed);
-            }
+            value = number(node, path, allowed);
         }
     }
 
@@ -282,8 +277,12 @@ void check(const settings& scene) {
         throw bad_scene("bed.softened_modulus_Pa is " + format(scene.bed.softened_modulus) + ", allowed: at most bed.modulus_Pa, " +
                         format(scene.bed.modulus));
     }
-    if (scene.physics.combustion != burning::none && !scene.physics.heat) {
-        throw bad_scene("physics.combustion needs physics.heat = true");
+    if (scene.burners.equivalence_ratio > 1 && scene.physics.combustion != burning::equilibrium) {
+        throw bad_scene("burners.equivalence_ratio is " + format(scene.burners.equivalence_ratio) +
+                        ", allowed: at most 1, or physics.combustion = \"equilibrium\"");
+    }
+    if (!(scene.time.acceleration_factor > 0)) {
+        throw bad_scene("time.acceleration_factor is " + format(scene.time.acceleration_factor) + ", allowed: above 0");
     }
 }
 
@@ -296,9 +295,7 @@ std::string document(const settings& scene) {
             open = table;
             out << "\n[" << open << "]\n";
         }
-        std::string text = written(value, allowed);
-        if (path_of(table, name) == "time.acceleration_factor" && text == "0") text = "\"auto\"";
-        out << name << " = " << text << "  # " << meaning;
+        out << name << " = " << written(value, allowed) << "  # " << meaning;
         if constexpr (std::is_enum_v<value_type>) {
             out << ':';
             for (const std::string_view word : names(value_type{})) out << ' ' << word;

@@ -38,9 +38,9 @@ TEST_CASE("restart: before and after every phase the state holds all that the ne
         CAPTURE(steps);
         CAPTURE(std::string(name(before)));
         const saved_state one = timeless(calm.save()), other = timeless(restored.save());
-        for (const auto& [part, values] : one) {
-            CAPTURE(part);
-            CHECK(same_bits(other.at(part), values));
+        for (const auto& entry : one) {
+            CAPTURE(entry.first);
+            CHECK(same_bits(other.at(entry.first), entry.second));
         }
         CHECK(other.size() == one.size());
         ++compared;

@@ -28,9 +28,9 @@ struct wall_zone {
     double ambient_temperature;  ///< [K]
 };
 
-enum class bed_motion { frozen, plug, recorded, dem };
-enum class burning { none, mixed_is_burnt, equilibrium, jones_lindstedt };
-enum class voidage_method { filtered, smoother };
+enum class bed_motion { plug };
+enum class burning { mixed_is_burnt, equilibrium };
+enum class voidage_method { filtered };
 enum class bed_packing { dem, lattice };
 enum class burner_feed { nozzles, section };
 enum class start_from { one_dimensional, cold };
@@ -78,10 +78,9 @@ struct settings {
 
     struct {
         bed_packing packing = bed_packing::dem;
-        bed_motion motion = bed_motion::recorded;
+        bed_motion motion = bed_motion::plug;
         double coarse_graining = 4;
-        double void_fraction = 0.418;      ///< of a plug-flow or frozen bed without DEM
-        double dem_time = 2.5;             ///< [s] of DEM to be recorded
+        double void_fraction = 0.418;      ///< of a bed that is not packed by DEM
         double softened_modulus = 3.77e8;
         double modulus = 2e11;
         double poisson_ratio = 0.26;
@@ -104,17 +103,14 @@ struct settings {
     } mesh;
 
     struct {
-        bool heat = true;
         bool radiation = true;
         bool conduction = true;
-        bool turbulence = true;
         bool nitric_oxide = true;
         burning combustion = burning::equilibrium;
     } physics;
 
     struct {
-        double acceleration_factor = 678;  ///< 0: chosen from the tolerance
-        double tolerance = 0.01;           ///< of the splitting, relative to the range of temperatures
+        double acceleration_factor = 678;  ///< Gamma
         int couplings = 360;
         double residence_times = 6;
         start_from start = start_from::one_dimensional;
