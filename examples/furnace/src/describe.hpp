@@ -3,7 +3,10 @@
 
 #include <array>
 #include <limits>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <hearth/furnace/settings.hpp>
 
@@ -16,6 +19,17 @@ struct range {
     double to_si = 1;
 };
 
+/// The numbers of an entry in a list of tables: name, member and what it may be.
+template <class Item>
+using list_members = std::vector<std::pair<std::string, std::pair<double Item::*, range>>>;
+
+inline const list_members<wall_zone> zone_members{{"z_min_m", {&wall_zone::from, {-10, 100}}},
+                                                  {"z_max_m", {&wall_zone::to, {-10, 100}}},
+                                                  {"transmittance_W_per_m2K", {&wall_zone::transmittance, {0, 1000}}},
+                                                  {"ambient_temperature_K", {&wall_zone::ambient_temperature, {200, 2000}}}};
+inline const list_members<size_class> size_members{{"diameter_mm", {&size_class::diameter, {0.1, 500, 1e-3}}},
+                                                   {"mass_share", {&size_class::mass_share, {0, 1}}}};
+
 /// The words that a key of the enumeration takes, in the order of its values.
 constexpr auto names(bed_motion) { return std::array<std::string_view, 1>{"plug"}; }
 constexpr auto names(burning) { return std::array<std::string_view, 2>{"mixed_is_burnt", "equilibrium"}; }
@@ -26,6 +40,7 @@ constexpr auto names(start_from) { return std::array<std::string_view, 2>{"one_d
 
 /// Every key of a scene, once: reading, checking, documenting and hashing all walk this list.
 ///     key(table, name, value, range, meaning)
+///     key(path, list of tables, their members)
 /// Settings is settings or const settings.
 template <class Settings, class Key>
 void describe(Settings& s, Key&& key) {
@@ -92,6 +107,9 @@ void describe(Settings& s, Key&& key) {
     key("output", "frames", s.output.frames, range{0, 1e5}, "Frames of the time series for ParaView");
     key("output", "picture", s.output.picture, range{}, "Draw the pictures at the end, with python3-matplotlib");
     key("output", "seed", s.output.seed, range{0, inf}, "Seed of the feed and of random packings");
+
+    key("particles.size", s.particles.sizes, size_members);
+    key("wall.zone", s.shaft.zones, zone_members);
 }
 
 }  // namespace hearth::furnace

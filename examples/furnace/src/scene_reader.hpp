@@ -86,6 +86,11 @@ class scene_reader {
             value = *node.value<bool>();
         } else if constexpr (std::is_same_v<Value, std::string>) {
             value = word(node, path);
+        } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+            const toml::array* list = node.as_array();
+            if (list == nullptr || list->empty()) refuse(&node, path + " is not a list of numbers");
+            value.clear();
+            for (const toml::node& entry : *list) value.push_back(number(entry, path, allowed));
         } else if constexpr (std::is_enum_v<Value>) {
             const std::string given = word(node, path);
             constexpr auto words = names(Value{});
@@ -104,10 +109,17 @@ class scene_reader {
         }
     }
 
+    /// The kind of scene, which the reader's settings are for.
+    void read_kind(std::string_view expected) {
+        std::string given(expected);
+        read("", "kind", given, range{});
+        if (given != expected) refuse(root_.get("kind"), "kind is \"" + given + "\", allowed here: " + std::string(expected));
+    }
+
     /// An array of tables, each with these numbers and no other key.
     template <class Item>
     void read_list(const std::string& path, std::vector<Item>& items,
-                   const std::vector<std::pair<std::string, std::pair<double Item::*, range>>>& members) {
+                   const list_members<Item>& members) {
         known_.insert(path);
         const auto view = root_.at_path(path);
         if (!view) return;

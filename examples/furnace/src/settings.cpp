@@ -2,102 +2,25 @@
 #include <hearth/furnace/settings.hpp>
 
 #include <algorithm>
-#include <cctype>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <sstream>
-#include <type_traits>
-
-#include <toml++/toml.h>
 
 #include "describe.hpp"
-#include "scene_reader.hpp"
+#include "scene_text.hpp"
 
 namespace hearth::furnace {
-namespace {
-
-const std::vector<std::pair<std::string, std::pair<double wall_zone::*, range>>> zone_members{
-    {"z_min_m", {&wall_zone::from, {-10, 100}}},
-    {"z_max_m", {&wall_zone::to, {-10, 100}}},
-    {"transmittance_W_per_m2K", {&wall_zone::transmittance, {0, 1000}}},
-    {"ambient_temperature_K", {&wall_zone::ambient_temperature, {200, 2000}}}};
-const std::vector<std::pair<std::string, std::pair<double size_class::*, range>>> size_members{
-    {"diameter_mm", {&size_class::diameter, {0.1, 500, 1e-3}}}, {"mass_share", {&size_class::mass_share, {0, 1}}}};
-
-void read_into(settings& scene, const toml::table& root, const origin& where) {
-    scene_reader read(root, where);
-    describe(scene, [&](auto table, auto name, auto& value, const range& allowed, const char*) {
-        read.read(table, name, value, allowed);
-    });
-    read.read_list("wall.zone", scene.shaft.zones, zone_members);
-    read.read_list("particles.size", scene.particles.sizes, size_members);
-    read.refuse_unknown();
-}
-
-toml::table parse(const std::string& text, const origin& where) {
-    try {
-        return toml::parse(text, where);
-    } catch (const toml::parse_error& error) {
-        std::ostringstream out;
-        out << where;
-        if (where != "--set") out << ':' << error.source().begin.line;
-        out << ": " << error.description();
-        throw bad_scene(out.str());
-    }
-}
-
-template <class Value>
-std::string written(const Value& value, const range& allowed) {
-    if constexpr (std::is_same_v<Value, bool>) {
-        return value ? "true" : "false";
-    } else if constexpr (std::is_same_v<Value, std::string>) {
-        return '"' + value + '"';
-    } else if constexpr (std::is_enum_v<Value>) {
-        return '"' + std::string(names(Value{})[static_cast<std::size_t>(value)]) + '"';
-    } else if constexpr (std::is_integral_v<Value>) {
-        return std::to_string(value);
-    } else {
-        return format(static_cast<double>(value) / allowed.to_si);
-    }
-}
-
-}  // namespace
 
 settings parse_scene(const std::string& text, const origin& where) {
     settings scene;
-    read_into(scene, parse(text, where), where);
+    read_into(scene, parse_toml(text, where), where);
     check(scene);
     return scene;
 }
 
-settings read_scene(const std::string& path) {
-    std::ifstream file(path);
-    if (!file) throw bad_scene(path + ": cannot be opened: " + std::strerror(errno));
-    std::ostringstream text;
-    text << file.rdbuf();
-    return parse_scene(text.str(), path);
-}
-
-namespace {
-
-/// A word without quotes, as a shell leaves it, gets them.
-std::string with_quotes(const std::string& assignment) {
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos) throw bad_scene("--set: " + assignment + " is not KEY=VALUE");
-    const std::string value = assignment.substr(equals + 1);
-    const bool is_word = std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; }) &&
-                         !value.empty() && std::isalpha(static_cast<unsigned char>(value[0])) != 0;
-    if (!is_word || value == "true" || value == "false" || value == "inf" || value == "nan") return assignment;
-    return assignment.substr(0, equals + 1) + '"' + value + '"';
-}
-
-}  // namespace
+settings read_scene(const std::string& path) { return parse_scene(read_text(path), path); }
 
 void set_key(settings& scene, const std::string& assignment) {
     settings changed = scene;
-    read_into(changed, parse(with_quotes(assignment), "--set"), "--set");
+    read_into(changed, parse_assignment(assignment), "--set");
     check(changed);
     scene = changed;
 }
@@ -139,39 +62,8 @@ void check(const settings& scene) {
     }
 }
 
-std::string document(const settings& scene) {
-    std::ostringstream out;
-    std::string open;
-    describe(scene, [&](std::string_view table, std::string_view name, const auto& value, const range& allowed, const char* meaning) {
-        using value_type = std::decay_t<decltype(value)>;
-        if (table != open) {
-            open = table;
-            out << "\n[" << open << "]\n";
-        }
-        out << name << " = " << written(value, allowed) << "  # " << meaning;
-        if constexpr (std::is_enum_v<value_type>) {
-            out << ':';
-            for (const std::string_view word : names(value_type{})) out << ' ' << word;
-        } else if constexpr (std::is_arithmetic_v<value_type> && !std::is_same_v<value_type, bool>) {
-            out << ", " << format(allowed.from) << " to " << format(allowed.to);
-        }
-        out << '\n';
-    });
-    const auto list = [&](const char* path, const auto& items, const auto& members) {
-        for (const auto& item : items) {
-            out << "\n[[" << path << "]]\n";
-            for (const auto& [name, member] : members) out << name << " = " << format(item.*member.first / member.second.to_si) << '\n';
-        }
-    };
-    list("particles.size", scene.particles.sizes, size_members);
-    list("wall.zone", scene.shaft.zones, zone_members);
-    return out.str();
-}
+std::string document(const settings& scene) { return document_of(scene); }
 
-std::uint64_t hash(const settings& scene) {
-    std::uint64_t value = 14695981039346656037U;
-    for (const char c : document(scene)) value = (value ^ static_cast<unsigned char>(c)) * 1099511628211U;
-    return value;
-}
+std::uint64_t hash(const settings& scene) { return hash_of(document(scene)); }
 
 }  // namespace hearth::furnace

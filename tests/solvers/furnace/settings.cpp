@@ -80,6 +80,8 @@ TEST_CASE("scene: every mistake is told with its place, its value and what is al
     CHECK(complaint("[time]\nacceleration_factor = \"fast\"") == "my.toml:2: time.acceleration_factor is not a number");
     CHECK(complaint("[[wall.zone]]\nz_min_m = 0\nz_max_m = 1\nambient_temperature_K = 300") ==
           "my.toml:1: an entry of wall.zone lacks transmittance_W_per_m2K");
+    CHECK(complaint("\nkind = \"silo\"") == "my.toml:2: kind is \"silo\", allowed here: furnace");
+    CHECK(complaint("kind = \"furnace\"").empty());
     CHECK(complaint("[shaft\n").find("my.toml:1: ") == 0);
     CHECK(complaint("[[particles.size]]\ndiameter_mm = 16\nmass_share = 0.5") ==
           "particles.size: the mass shares sum to 0.5, allowed: 1");

@@ -38,6 +38,8 @@ enum class start_from { one_dimensional, cold };
 /// Everything that a scene says, in SI units.  The defaults are the furnace of the paper (Spijker, Pollhammer and
 /// Raupenstrauch 2023, doi:10.1002/ceat.202200617); what the paper leaves open is marked "assumed" in describe.hpp.
 struct settings {
+    static constexpr const char* kind = "furnace";  ///< of scene; see rung.hpp for the others
+
     std::string title = "shaft furnace";
 
     struct {
