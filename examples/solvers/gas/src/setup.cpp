@@ -153,15 +153,16 @@ void solver::check_bed() const {
                            bed.exchange.empty() ? n : bed.exchange.count()})
         require(size >= n, "a field of the bed or of the sources holds " + std::to_string(size) + " cells, expected " +
                                std::to_string(n));
+    // Looked at in every iteration: only what is wrong is put into words.
+    const auto refuse = [](const char* what, int c, const std::string& values, const char* allowed) {
+        require(false, what + (" of cell " + std::to_string(c)) + " is " + values + ", allowed: " + allowed);
+    };
     for (int c = 0; c < n; ++c) {
-        const double e = bed.void_fraction[c];
-        require(e > 0 && e <= 1, "void fraction of cell " + std::to_string(c) + " is " + std::to_string(e) +
-                                     ", allowed: (0, 1]");
-        require(bed.diameter[c] > 0, "particle diameter of cell " + std::to_string(c) + " is " +
-                                         std::to_string(bed.diameter[c]) + ", allowed: > 0 [m]");
-        require(bed.heat_conductance[c] >= 0 && std::isfinite(bed.heat_source[c]),
-                "heat exchange of cell " + std::to_string(c) + " is " + std::to_string(bed.heat_conductance[c]) + ", " +
-                    std::to_string(bed.heat_source[c]) + ", allowed: >= 0 [W/K], finite [W]");
+        const double e = bed.void_fraction[c], d = bed.diameter[c], conductance = bed.heat_conductance[c], source = bed.heat_source[c];
+        if (!(e > 0 && e <= 1)) refuse("void fraction", c, std::to_string(e), "(0, 1]");
+        if (!(d > 0)) refuse("particle diameter", c, std::to_string(d), "> 0 [m]");
+        if (!(conductance >= 0 && std::isfinite(source)))
+            refuse("heat exchange", c, std::to_string(conductance) + ", " + std::to_string(source), ">= 0 [W/K], finite [W]");
     }
 }
 
