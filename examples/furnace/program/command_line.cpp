@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "command_line.hpp"
 
+#include <cstdio>
+
 #include <CLI/CLI.hpp>
 
+#include <hearth/furnace/rung.hpp>
 #include <hearth/furnace/settings.hpp>
 
+#include "ladder.hpp"
 #include "provenance.hpp"
 
 namespace hearth::furnace::program {
@@ -50,13 +54,27 @@ command_or_exit read_command_line(int count, char** arguments) {
     app.add_option("--summary", command.summary, "Write summary.json there too")->type_name("FILE.json");
     app.add_flag("--dry-run", command.dry_run, "Tell what would be built, its memory and time, and what is left out; run nothing");
     app.add_flag("--quiet", command.quiet, "No progress, no table");
+    app.add_option_function<std::string>(
+           "--keys", [](const std::string& kind) {
+               std::fputs(keys_of_kind(kind).c_str(), stdout);
+               throw CLI::Success();
+           }, "Print every key of a kind of scene and end")
+        ->type_name("KIND")
+        ->trigger_on_parse();
     app.set_version_flag("--version", version());
     app.get_formatter()->column_width(28);
-    app.footer([] { return lesson + document(settings{}); });
+    app.footer([] {
+        std::string kinds = "\nKinds of scenes; a scene file names one with the key `kind`, and --keys KIND prints all its keys:\n";
+        for (const scene_kind& k : scene_kinds()) kinds += "  " + k.name + std::string(k.name.size() < 14 ? 14 - k.name.size() : 1, ' ') + k.meaning + '\n';
+        return kinds + lesson + document(settings{});
+    });
     try {
         app.parse(count, arguments);
     } catch (const CLI::ParseError& end) {
         return {std::nullopt, app.exit(end) == 0 ? exit_code::done : exit_code::bad_input};
+    } catch (const bad_scene& error) {
+        std::fprintf(stderr, "furnace: %s\n", error.what());
+        return {std::nullopt, exit_code::bad_input};
     }
     return {command, 0};
 }

@@ -34,19 +34,18 @@ std::string progress_line(const status& now, double left) {
     return text;
 }
 
-void progress::show(const status& now) {
+template <class Line>
+void progress::show(double share, bool at_once, Line&& line_with_time_left) {
     if (quiet_) return;
     const auto time = clock::now();
     const auto seconds = [](clock::duration d) { return std::chrono::duration<double>(d).count(); };
-    if (share_at_begin_ < 0) share_at_begin_ = now.share_of_run;
-    const bool due = terminal_ ? seconds(time - last_) > 0.2
-                               : now.share_of_run >= share_at_last_ + 0.1 || seconds(time - last_) > 30;
-    if (!due && now.now != phase::report) return;
+    if (share_at_begin_ < 0) share_at_begin_ = share;
+    const bool due = terminal_ ? seconds(time - last_) > 0.2 : share >= share_at_last_ + 0.1 || seconds(time - last_) > 30;
+    if (!due && !at_once) return;
     last_ = time;
-    share_at_last_ = now.share_of_run;
-    const double done = now.share_of_run - share_at_begin_;
-    const double left = done > 0.01 && now.share_of_run < 1 ? seconds(time - begin_) * (1 - now.share_of_run) / done : -1;
-    std::string line = progress_line(now, left);
+    share_at_last_ = share;
+    const double done = share - share_at_begin_;
+    std::string line = line_with_time_left(done > 0.01 && share < 1 ? seconds(time - begin_) * (1 - share) / done : -1);
     if (!terminal_) {
         std::fprintf(out_, "%s\n", line.c_str());
         std::fflush(out_);
@@ -58,6 +57,18 @@ void progress::show(const status& now) {
     std::fprintf(out_, "\r%s\033[K", line.c_str());  // to the end of the line: what was longer before
     std::fflush(out_);
     open_ = true;
+}
+
+void progress::show(const status& now) {
+    show(now.share_of_run, now.now == phase::report, [&](double left) { return progress_line(now, left); });
+}
+
+void progress::show(double share_done, const std::string& text) {
+    show(share_done, false, [&](double left) {
+        char share[16];
+        std::snprintf(share, sizeof share, "%3.0f %%  ", 100 * std::clamp(share_done, 0.0, 1.0));
+        return share + (left >= 0 ? duration(left) + " left  " : std::string()) + text;
+    });
 }
 
 void progress::say(const std::string& line) {

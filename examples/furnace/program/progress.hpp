@@ -16,6 +16,8 @@ class progress {
     progress(std::FILE* out, bool quiet);
 
     void show(const status& now);
+    /// The same of a run that tells its share done and a text.
+    void show(double share_done, const std::string& text);
     /// A line of its own, below the progress line.
     void say(const std::string& line);
     /// Ends the progress line.
@@ -23,6 +25,9 @@ class progress {
 
   private:
     using clock = std::chrono::steady_clock;
+
+    template <class Line>
+    void show(double share, bool at_once, Line&& line_with_time_left);
 
     std::FILE* out_;
     bool quiet_, terminal_, open_ = false;

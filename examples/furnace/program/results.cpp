@@ -2,11 +2,9 @@
 #include "results.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 #include <utility>
 
@@ -14,76 +12,12 @@
 
 #include "picture.hpp"
 #include "provenance.hpp"
+#include "text_files.hpp"
 
 namespace hearth::furnace::program {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Writes beside and renames, so that a full disk or a kill leaves no half of a file.
-void write_text(const fs::path& path, const std::string& text) {
-    const fs::path part = path.string() + ".part";
-    std::ofstream file(part, std::ios::binary);
-    file << text;
-    file.close();
-    std::error_code error;
-    if (file) fs::rename(part, path, error);
-    if (!file || error) {
-        const std::string why = error ? error.message() : std::strerror(errno);
-        fs::remove(part, error);
-        throw io::file_error(path.string() + ": cannot be written: " + why);
-    }
-}
-
-/// As short as reads back to the same number; JSON has no NaN.
-std::string number(double value) {
-    if (!std::isfinite(value)) return "null";
-    char text[32];
-    for (int digits = 6; digits <= 17; ++digits) {
-        std::snprintf(text, sizeof text, "%.*g", digits, value);
-        if (std::strtod(text, nullptr) == value) break;
-    }
-    return text;
-}
-
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) {
-        char escaped[8];
-        if (c == '"' || c == '\\') {
-            out += {'\\', c};
-        } else if (static_cast<unsigned char>(c) < 0x20) {
-            std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned>(c));
-            out += escaped;
-        } else {
-            out += c;
-        }
-    }
-    return out + '"';
-}
-
-/// A table with a title per column; columns without values are left out, a NaN is an empty field.
-struct csv {
-    std::vector<std::pair<std::string, const std::vector<double>*>> columns;
-    std::string text() const {
-        std::string out;
-        std::vector<const std::vector<double>*> kept;
-        for (const auto& [title, values] : columns) {
-            if (values->empty()) continue;
-            out += (kept.empty() ? "" : ",") + title;
-            kept.push_back(values);
-        }
-        out += '\n';
-        for (std::size_t row = 0; !kept.empty() && row < kept.front()->size(); ++row) {
-            for (std::size_t k = 0; k < kept.size(); ++k) {
-                const double value = (*kept[k])[row];
-                out += (k == 0 ? "" : ",") + (std::isfinite(value) ? number(value) : "");
-            }
-            out += '\n';
-        }
-        return out;
-    }
-};
 
 std::vector<float> single(const std::vector<double>& values) { return {values.begin(), values.end()}; }
 
@@ -121,11 +55,7 @@ void history::add(const status& now) {
                              now.offgas_temperature, now.solids_outlet_temperature, now.pressure_drop, now.enthalpy_imbalance});
 }
 
-results::results(fs::path folder) : folder_(std::move(folder)) {
-    std::error_code error;
-    fs::create_directories(folder_, error);
-    if (error) throw io::file_error(folder_.string() + ": cannot be made: " + error.message());
-}
+results::results(fs::path folder) : folder_(std::move(folder)) { make_folder(folder_); }
 
 void results::frame(int count, const furnace& shaft) const {
     const snapshot seen = shaft.look();

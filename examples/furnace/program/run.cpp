@@ -9,9 +9,11 @@
 #include <memory>
 
 #include <hearth/furnace/furnace.hpp>
+#include <hearth/furnace/rung.hpp>
 #include <hearth/io/hdf5_file.hpp>
 
 #include "checkpoints.hpp"
+#include "ladder.hpp"
 #include "picture.hpp"
 #include "progress.hpp"
 #include "report.hpp"
@@ -158,6 +160,8 @@ class session {
 
 }  // namespace
 
-int run(const command_line& command) { return session(command).run(); }
+int run(const command_line& command) {
+    return kind_of_scene(command.scene) == settings::kind ? session(command).run() : climb(command);
+}
 
 }  // namespace hearth::furnace::program

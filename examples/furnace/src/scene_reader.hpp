@@ -55,7 +55,7 @@ class scene_reader {
     [[noreturn]] void refuse(const toml::node* node, const std::string& what) const {
         std::ostringstream out;
         out << where_;
-        if (node != nullptr && node->source().begin.line > 0 && where_ != "--set") out << ':' << node->source().begin.line;
+        if (node != nullptr && node->source().begin.line > 0 && where_.rfind("--", 0) != 0) out << ':' << node->source().begin.line;
         out << ": " << what;
         throw bad_scene(out.str());
     }

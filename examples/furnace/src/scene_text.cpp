@@ -15,7 +15,7 @@ toml::table parse_toml(const std::string& text, const origin& where) {
     } catch (const toml::parse_error& error) {
         std::ostringstream out;
         out << where;
-        if (where != "--set") out << ':' << error.source().begin.line;
+        if (where.rfind("--", 0) != 0) out << ':' << error.source().begin.line;
         out << ": " << error.description();
         throw bad_scene(out.str());
     }

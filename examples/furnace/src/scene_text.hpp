@@ -32,11 +32,18 @@ struct overloaded : Functions... {
 template <class... Functions>
 overloaded(Functions...) -> overloaded<Functions...>;
 
+/// Every key and list of some settings: by describe.hpp, or by their own static describe(settings, key).
+template <class Settings, class Key>
+void each_key(Settings& scene, Key&& key) {
+    if constexpr (std::is_same_v<std::remove_const_t<Settings>, settings>) describe(scene, key);
+    else std::remove_const_t<Settings>::describe(scene, key);
+}
+
 template <class Settings>
 void read_into(Settings& scene, const toml::table& root, const origin& where) {
     scene_reader read(root, where);
     read.read_kind(Settings::kind);
-    describe(scene, overloaded{[&](auto table, auto name, auto& value, const range& allowed, const char*) {
+    each_key(scene, overloaded{[&](auto table, auto name, auto& value, const range& allowed, const char*) {
                                    read.read(table, name, value, allowed);
                                },
                                [&](const char* path, auto& items, const auto& members) {
@@ -70,7 +77,7 @@ std::string document_of(const Settings& scene) {
     std::ostringstream out;
     std::string open;
     out << "kind = \"" << Settings::kind << "\"\n";
-    describe(scene, overloaded{[&](std::string_view table, std::string_view name, const auto& value,
+    each_key(scene, overloaded{[&](std::string_view table, std::string_view name, const auto& value,
                                    const range& allowed, const char* meaning) {
                                    using value_type = std::decay_t<decltype(value)>;
                                    if (table != open) {
