@@ -43,11 +43,11 @@ std::string comparison(const rung_result& r) {
     std::string out;
     const auto row = [&](const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
         char text[256];
-        std::snprintf(text, sizeof text, "  %-46s | %18s | %10s | %s\n", a.c_str(), b.c_str(), c.c_str(), d.c_str());
+        std::snprintf(text, sizeof text, "  %-46s | %22s | %10s | %s\n", a.c_str(), b.c_str(), c.c_str(), d.c_str());
         out += text;
     };
     row("quantity", "paper or reference", "this run", "unit");
-    out += "  -----------------------------------------------+--------------------+------------+---------\n";
+    out += "  -----------------------------------------------+------------------------+------------+---------\n";
     for (const finding& f : r.findings) row(f.quantity, f.expected.empty() ? "-" : f.expected, printed(f), f.unit);
     return out;
 }

@@ -23,6 +23,46 @@ def table(name):
     return {title: [float(v) if v else float("nan") for v in column] for title, column in zip(rows[0], columns)}
 
 
+def two_spheres(figure, summary):
+    left, right = figure.subplots(1, 2)
+    t = table("heat_over_force.csv")
+    left.loglog(t["force_N"], t["sphere_and_wall_W"], "s", color=BLUE, ms=4, label="sphere and wall")
+    left.loglog(t["force_N"], t["two_spheres_W"], "o", color=RED, ms=4, label="two spheres")
+    left.loglog(t["force_N"], t["hertz_W"], color=RED, lw=0.8, label="2 k a, Hertz: slope 1/3")
+    left.loglog(t["force_N"], t["with_gas_film_W"], color=GREEN, lw=1, ls="--", label="two spheres with the gas in their gap")
+    left.loglog(t["force_N"], t["letter_of_eq_2_W"], color=GREY, lw=1, ls=":", label="Eq. 2 by the letter")
+    left.set(xlabel="contact force [N]", ylabel="heat [W]", title="two bodies in contact (Fig. 1)")
+    left.legend()
+    m = table("over_modulus.csv")
+    right.loglog(m["time_of_process_second_s"], m["by_overlap_error"], "s-", color=GREY, ms=4, lw=1, label="contact by the softened overlap")
+    right.loglog(m["time_of_process_second_s"], [max(e, 1e-16) for e in m["by_force_error"]], "o-", color=RED, ms=4, lw=1,
+                 label="contact by the force, true modulus")
+    for x, y, modulus in zip(m["time_of_process_second_s"], m["by_overlap_error"], m["modulus_Pa"]):
+        right.annotate("%.0e Pa" % modulus, (x, y), xytext=(3, 3), textcoords="offset points", fontsize=7, color=GREY)
+    right.set(xlabel="run time of a second of the motion [s]", ylabel="error of the heat", title="error against run time, over the modulus of the motion")
+    right.legend(loc="center left")
+
+
+def plates(figure, summary):
+    left, right = figure.subplots(1, 2)
+    t = table("conductivity.csv")
+    kelvin = t["temperature_K"]
+    left.fill_between(kelvin, t["yagi_kunii_0.9_W_per_mK"], t["yagi_kunii_W_per_mK"], color="0.85", label="Yagi and Kunii, Eq. 15, beta 0.9 to 1")
+    left.plot(kelvin, t["core_W_per_mK"], "o-", color="k", ms=4, lw=1, label="core of the bed")
+    for name, colour, word in (("radiation", RED, "of that: radiation"), ("gas_film", GREEN, "gas films"), ("contact", BLUE, "contacts")):
+        left.plot(kelvin, t[name + "_W_per_mK"], color=colour, lw=1, label=word)
+    left.plot(kelvin, t["between_plates_W_per_mK"], color="k", lw=0.8, ls=":", label="from plate to plate")
+    left.set(xlabel="temperature [K]", ylabel="effective conductivity [W/(m K)]", title="iron spheres between plates (Fig. 3)")
+    left.legend()
+    c = table("over_cutoff.csv")
+    right.plot(c["time_s"][1:], [100 * e for e in c["error"][1:]], "o", color=RED, ms=4)
+    for x, y, cutoff in zip(c["time_s"][1:], c["error"][1:], c["cutoff_in_diameters"][1:]):
+        right.annotate("%g d" % cutoff, (x, 100 * y), xytext=(4, 3), textcoords="offset points", fontsize=8)
+    right.axhline(0, color=GREY, lw=0.8)
+    right.set(xlabel="run time of links and steady state [s]", ylabel="radiative conductivity off a cutoff of %g d [%%]" % c["cutoff_in_diameters"][0],
+              title="error against run time, over how far radiation looks")
+
+
 def heated_bed(figure, summary):
     left, right = figure.subplots(1, 2)
     t = table("temperatures.csv")

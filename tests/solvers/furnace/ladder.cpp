@@ -54,6 +54,36 @@ TEST_CASE("ladder: a kind that does not exist is refused with those that do") {
     CHECK(complaint("title = \"x\"") == "my.toml: kind is \"furnace\", which is no rung of the ladder");
 }
 
+TEST_CASE("ladder: heat through a contact rises with the third root of the force, whatever the motion's softness") {
+    const rung_result r = scene("two_spheres", {"contact.forces_N=[1, 10, 100]"})->run();
+    // Hertz is exact for what DEM computes; what is left is the spheres' coming to rest, and round-off.
+    CHECK(r["exponent_two_spheres"] == doctest::Approx(1.0 / 3).epsilon(1e-9));
+    CHECK(r["exponent_sphere_and_wall"] == doctest::Approx(1.0 / 3).epsilon(1e-9));
+    CHECK(r["wall_over_pair"] == doctest::Approx(std::cbrt(2.0)).epsilon(1e-9));
+    CHECK(r["hertz_error"] < 1e-9);
+    for (const double error : r.column("over_modulus.csv", "by_force_error")) CHECK(error < 1e-9);
+    // Batchelor and O'Brien's formula by hand for steel, E 2e11 Pa, nu 0.29, k 45 W/(m K), R* 4.95 mm:
+    // H = 2.916e-3 W/K at 1 N.
+    CHECK(r.column("heat_over_force.csv", "two_spheres_W")[0] == doctest::Approx(2.916e-2).epsilon(1e-3));
+    CHECK(complaint("kind = \"two_spheres\"\n[particles]\nsoftened_modulus_Pa = 1e12") ==
+          "particles.softened_modulus_Pa is 1e+12, allowed: at most particles.modulus_Pa, 2e+11");
+}
+
+TEST_CASE("ladder: a bed between plates conducts as Yagi and Kunii's within 25 %, by radiation more the hotter it is") {
+    const rung_result r = scene("plates", {"vessel.radius_in_diameters=5.5", "vessel.fill_height_in_diameters=22",
+                                           "heat.temperatures_K=[400, 800, 1100]", "heat.compared_cutoffs=[1.001, 2.5, 4]"})
+                              ->run();
+    CHECK(r["largest_departure_percent"] < 25);  // the bar for Fig. 3
+    CHECK(r["radiation_share_first_percent"] < 35);
+    CHECK(r["radiation_share_last_percent"] > 65);
+    const auto& k = r.column("conductivity.csv", "radiation_W_per_mK");
+    // Links that are the same at all temperatures radiate with the cube of the temperature, but for the plates' 20 K.
+    CHECK(k[2] / k[0] == doctest::Approx(std::pow(1100.0 / 400, 3)).epsilon(0.03));
+    const auto& whole = r.column("conductivity.csv", "between_plates_W_per_mK");
+    const auto& core = r.column("conductivity.csv", "core_W_per_mK");
+    for (std::size_t i = 0; i < whole.size(); ++i) CHECK(whole[i] < core[i]);  // plates are a resistance
+}
+
 TEST_CASE("ladder: the heated bed follows Schumann, and lags by the law where the gas stores as the paper has it") {
     const auto bed = scene("heated_bed", {"time.duration_s=400", "time.step_s=0.01", "mesh.cells=100", "time.samples=100",
                                           "time.acceleration_factors=[50, 200]"});

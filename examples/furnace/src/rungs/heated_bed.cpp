@@ -68,8 +68,6 @@ struct hearth::particle_traits<hearth::furnace::rungs::stream> {
 namespace hearth::furnace::rungs {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// What the bed and the exact solution have in common, per cell of `cells`.
 struct column {
     spheres bed;

@@ -12,6 +12,16 @@
 
 namespace hearth::furnace::rungs {
 
+// Inside of rung_of the names of these functions are those of its own.
+template <class Settings>
+rung_plan plan_of(const Settings& scene) {
+    return foresee(scene);
+}
+template <class Settings>
+rung_result result_of(const Settings& scene, const watcher& watch) {
+    return run(scene, watch);
+}
+
 /// A rung from its settings, which have a `kind`, a `title`, a static describe(settings, key) with every key as in
 /// describe.hpp, and beside them the functions
 ///     check(settings)               what a single key cannot tell; throws bad_scene
@@ -33,8 +43,8 @@ class rung_of final : public rung {
         scene_ = changed;
     }
     std::string document() const override { return document_of(scene_); }
-    rung_plan foresee() const override { return rungs::foresee(scene_); }
-    rung_result run(const watcher& watch) const override { return rungs::run(scene_, watch); }
+    rung_plan foresee() const override { return plan_of(scene_); }
+    rung_result run(const watcher& watch) const override { return result_of(scene_, watch); }
 
   private:
     Settings scene_;
@@ -51,6 +61,8 @@ rung_kind kind_for(const char* meaning) {
                 return std::make_unique<rung_of<Settings>>(root, where);
             }};
 }
+
+constexpr double pi = 3.14159265358979323846;
 
 /// Processor time of this program [s].
 inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }

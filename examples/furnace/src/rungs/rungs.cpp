@@ -3,13 +3,17 @@
 #include <stdexcept>
 
 #include "heated_bed.hpp"
+#include "plates.hpp"
 #include "rung_of.hpp"
+#include "two_spheres.hpp"
 
 namespace hearth::furnace {
 namespace {
 
 const std::vector<rungs::rung_kind>& all_rungs() {
     static const std::vector<rungs::rung_kind> all{
+        rungs::kind_for<rungs::two_spheres>("two spheres, and a sphere and a wall: heat over contact force (Fig. 1)"),
+        rungs::kind_for<rungs::plates>("a bed between a hot and a cold plate: its effective conductivity (Figs. 2 and 3)"),
         rungs::kind_for<rungs::heated_bed>("hot air heats a fixed bed, with and without Time Scale Splitting (Fig. 6)"),
     };
     return all;
