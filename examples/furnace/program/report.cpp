@@ -34,8 +34,10 @@ const char* word(bed_packing p) { return p == bed_packing::dem ? "packed by DEM"
 
 const char* word(burning b) {
     switch (b) {
+        case burning::none: return "no combustion";
         case burning::mixed_is_burnt: return "complete combustion where gas and air are mixed";
         case burning::equilibrium: return "combustion with CO/H2 in equilibrium";
+        case burning::jones_lindstedt: return "combustion at finite rates, four steps, seven species";
     }
     return "";
 }

@@ -23,6 +23,15 @@ double furnace::parts::imbalance(std::size_t back) const {
     return -(recent_mean(past.gas_out, window(), back) + recent_mean(past.solids_out, window(), back) + recent_mean(past.wall, window(), back));
 }
 
+/// Elements go with their streams, air and burner gas: what a stream lacks, over what it brings.
+double furnace::parts::element_imbalance() const {
+    if (gas_report.species.empty()) return 0;
+    const auto missing = [](const gas::balance& b) { return b.in + b.source - b.out; };
+    const double of_air = missing(gas_report.species[0]), of_burners = missing(gas_report.mass) - of_air;
+    const auto over = [](double rest, double flow) { return flow > 0 ? std::abs(rest) / flow : 0.0; };
+    return std::max(over(of_air, shaft.air_flow()), over(of_burners, shaft.burner_flow()));
+}
+
 double furnace::parts::outlet_temperature(std::size_t back) const {
     const double mass = recent_mean(past.product, window(), back), enthalpy = recent_mean(past.product_enthalpy, window(), back);
     return mass > 0 ? spinel::temperature(enthalpy / mass) : 0;

@@ -32,7 +32,8 @@ inline const list_members<size_class> size_members{{"diameter_mm", {&size_class:
 
 /// The words that a key of the enumeration takes, in the order of its values.
 constexpr auto names(bed_motion) { return std::array<std::string_view, 1>{"plug"}; }
-constexpr auto names(burning) { return std::array<std::string_view, 2>{"mixed_is_burnt", "equilibrium"}; }
+constexpr auto names(burning) { return std::array<std::string_view, 4>{"none", "mixed_is_burnt", "equilibrium", "jones_lindstedt"}; }
+constexpr auto names(gas_mixing) { return std::array<std::string_view, 2>{"at_once", "bed"}; }
 constexpr auto names(voidage_method) { return std::array<std::string_view, 1>{"filtered"}; }
 constexpr auto names(bed_packing) { return std::array<std::string_view, 2>{"dem", "lattice"}; }
 constexpr auto names(burner_feed) { return std::array<std::string_view, 2>{"nozzles", "section"}; }
@@ -95,7 +96,8 @@ void describe(Settings& s, Key&& key) {
     key("physics", "radiation", s.physics.radiation, range{}, "Radiation between particles and with walls");
     key("physics", "conduction", s.physics.conduction, range{}, "Conduction through contacts and gas films");
     key("physics", "nitric_oxide", s.physics.nitric_oxide, range{}, "Thermal NO, computed after the run");
-    key("physics", "combustion", s.physics.combustion, range{}, "How the gas burns");
+    key("physics", "combustion", s.physics.combustion, range{}, "How the gas burns: not at all (the burners blow air), to CO2 and H2O or to equilibrium where it is mixed, or by Jones and Lindstedt's four steps at finite rates");
+    key("physics", "mixing", s.physics.mixing, range{}, "Of gas that burns at finite rates: at once, or in the time in which it passes a pore of the bed (partially stirred reactor)");
 
     key("time", "acceleration_factor", s.time.acceleration_factor, range{1, 1e4}, "Gamma");
     key("time", "couplings", s.time.couplings, range{1, 1e7}, "Exchanges between gas and bed in all");

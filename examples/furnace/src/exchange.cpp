@@ -69,6 +69,7 @@ void furnace::parts::exchange_with_gas() {
             // The flow follows the bed slowly: one iteration a coupling, but for the first, which comes from rest.
             const int flows = pass > 0 ? 0 : couplings == 0 ? 20 : 1;
             for (int inner = 0; inner < flows + (couplings == 0 ? 40 : 6); ++inner) {
+                shaft.react();
                 gas_report = inner < flows ? solver.iterate() : solver.iterate_scalars();
                 if (gas_report.broken) throw std::runtime_error("hearth::furnace: gas: " + gas_report.reason);
                 if (inner >= flows && gas_report.temperature_change < 0.2) break;

@@ -39,7 +39,7 @@ std::vector<double> thermal_nitric_oxide_of(const shaft_gas& shaft) {
             const double t = gas.temperature[c];
             double made = 0, slope = 0;  // [mol/s], [kg/s]
             if (t > 1400) {
-                const auto n = shaft.model->burnt(std::clamp(shaft.burner_share(c), 0.0, 1.0), t);
+                const auto n = shaft.composition(c);
                 const double moles = combustion::sum(n), volume = m.volume[c] * shaft.solver.bed.void_fraction[c];
                 const auto x = combustion::mole_fractions(n);
                 const auto rate = [&](double amount) {

@@ -90,6 +90,7 @@ struct furnace::parts {
     double bed_enthalpy() const;
     std::size_t window() const;             ///< couplings that a balance is averaged over
     double imbalance(std::size_t back = 0) const;  ///< of the steady furnace, averaged [W]
+    double element_imbalance() const;       ///< of the gas, over what brings them [-]
     double outlet_temperature(std::size_t back = 0) const;  ///< of the product, averaged [K]; 0 where nothing left
     std::size_t hottest_stone() const;
 

@@ -53,9 +53,9 @@ void check(const settings& scene) {
         throw bad_scene("bed.softened_modulus_Pa is " + format(scene.bed.softened_modulus) + ", allowed: at most bed.modulus_Pa, " +
                         format(scene.bed.modulus));
     }
-    if (scene.burners.equivalence_ratio > 1 && scene.physics.combustion != burning::equilibrium) {
+    if (scene.burners.equivalence_ratio > 1 && scene.physics.combustion == burning::mixed_is_burnt) {
         throw bad_scene("burners.equivalence_ratio is " + format(scene.burners.equivalence_ratio) +
-                        ", allowed: at most 1, or physics.combustion = \"equilibrium\"");
+                        ", allowed: at most 1, or physics.combustion = \"equilibrium\" or \"jones_lindstedt\"");
     }
     if (!(scene.time.acceleration_factor > 0)) {
         throw bad_scene("time.acceleration_factor is " + format(scene.time.acceleration_factor) + ", allowed: above 0");

@@ -65,12 +65,14 @@ shaft_gas::shaft_gas(const settings& scene, double parcel_diameter)
       outlet_(scene.shaft.hopper_height > 0 ? "outlet" : "top"),
       fill(locator_, {scene.voidage.width_in_diameters * parcel_diameter, scene.voidage.threshold, 1e-5}),
       transfer(locator_, {scene.voidage.exchange_width_in_diameters * parcel_diameter, 1.0, 1e-5}),
-      model(std::make_shared<mixture>(air(), premix(scene.burners.equivalence_ratio), scene.physics.combustion, scene.gas.pressure)),
+      model(make_mixture(scene)),
       solver(mesh_, model, solver_settings_of(scene)) {
     const double normal_density = 101325 / (combustion::gas_constant * 273.15 * combustion::sum(air()));
     air_flow_ = scene.air.volume_flow * normal_density;
-    solver.set("bottom", gas::mass_flow_inlet(air_flow_, {scene.air.temperature, {1, 0}}));
-    solver.set(outlet_, gas::pressure_outlet(scene.gas.pressure, {scene.air.temperature, {1, 0}}));
+    if (scene.physics.combustion == burning::jones_lindstedt) chemistry_.emplace(scene);
+    const gas::array<double> air_alone = model->carried(0, scene.air.temperature, false);
+    solver.set("bottom", gas::mass_flow_inlet(air_flow_, {scene.air.temperature, air_alone}));
+    solver.set(outlet_, gas::pressure_outlet(scene.gas.pressure, {scene.air.temperature, air_alone}));
     set_burners(scene.burners.count > 0 ? scene.burners.mass_flow : 0.0);
 }
 
@@ -79,14 +81,15 @@ void shaft_gas::set_burners(double mass_flow) {
         throw bad_scene("burners: the mass flow is " + std::to_string(mass_flow) + ", allowed: finite and >= 0 [kg/s]");
     }
     const auto cells = static_cast<std::size_t>(mesh_.cells());
-    solver.sources.species.assign(2 * cells, 0.0);
+    const gas::array<double> fresh = model->carried(1, scene_.burners.temperature, false);
+    solver.sources.species.assign(static_cast<int>(fresh.size() * cells), 0.0);
     solver.sources.enthalpy.assign(cells, 0.0);
     solver.sources.force.assign(cells, {});
     burner_flow_ = mass_flow;
     if (!(mass_flow > 0)) return;
     const double enthalpy = model->cold_enthalpy(1, scene_.burners.temperature);
     const auto feed = [&](std::size_t c, double flow) {
-        solver.sources.species[2 * c + 1] += flow;
+        for (std::size_t k = 0; k < fresh.size(); ++k) solver.sources.species[fresh.size() * c + k] += flow * fresh[k];
         solver.sources.enthalpy[c] += flow * enthalpy;
     };
     if (scene_.burners.feed == burner_feed::section) {
@@ -113,7 +116,7 @@ void shaft_gas::set_burners(double mass_flow) {
     const double each = mass_flow / scene_.burners.count, radius = 0.5 * scene_.shaft.diameter;
     const double mouth = pi / 4 * scene_.burners.diameter * scene_.burners.diameter;
     const double density = scene_.gas.pressure /
-                           (combustion::gas_constant * scene_.burners.temperature * combustion::sum(premix(scene_.burners.equivalence_ratio)));
+                           (combustion::gas_constant * scene_.burners.temperature * combustion::sum(premix(fuel_ratio(scene_))));
     for (int b = 0; b < scene_.burners.count; ++b) {
         const double angle = 2 * pi * (b + 0.5) / scene_.burners.count;
         const gas::vector3 outwards{std::cos(angle), std::sin(angle), 0};
@@ -127,14 +130,15 @@ void shaft_gas::set_burners(double mass_flow) {
 }
 
 double shaft_gas::excess_air_ratio() const {
-    const double fuel = burner_flow_ * premix(scene_.burners.equivalence_ratio)[combustion::CH4];
-    const double oxygen = burner_flow_ * premix(scene_.burners.equivalence_ratio)[combustion::O2] + air_flow_ * air()[combustion::O2];
+    const combustion::per_species fed = premix(fuel_ratio(scene_));
+    const double fuel = burner_flow_ * fed[combustion::CH4];
+    const double oxygen = burner_flow_ * fed[combustion::O2] + air_flow_ * air()[combustion::O2];
     return fuel > 0 ? oxygen / (2 * fuel) : 0;
 }
 
 void shaft_gas::start(const shaft_profile& profile) {
     const bool cold = scene_.time.start == start_from::cold;
-    solver.initialise(scene_.air.temperature, {1, 0});
+    solver.initialise(scene_.air.temperature, model->carried(0, scene_.air.temperature, false));
     const double burnt_share = burner_flow_ / std::max(burner_flow_ + air_flow_, 1e-300);
     for (int c = 0; c < mesh_.cells(); ++c) {
         const double z = mesh_.centre[c].z;
@@ -142,13 +146,17 @@ void shaft_gas::start(const shaft_profile& profile) {
         const double t = cold ? (ignited ? scene_.gas.ignition_temperature : scene_.air.temperature)
                               : at_height(profile.gas_temperature, z, scene_.shaft.height);
         const double share = z > scene_.burners.height ? burnt_share : 0.0;
-        solver.gas.mass_fraction[2 * c] = 1 - share;
-        solver.gas.mass_fraction[2 * c + 1] = share;
+        const gas::array<double> y = model->carried(share, t, !cold || ignited);
+        std::copy(y.begin(), y.end(), solver.gas.mass_fraction.begin() + static_cast<std::ptrdiff_t>(y.size()) * c);
         solver.gas.temperature[c] = t;
-        solver.gas.enthalpy[c] = model->enthalpy(t, &solver.gas.mass_fraction[2 * c]);
+        solver.gas.enthalpy[c] = model->enthalpy(t, carried(c));
     }
     solver.update_properties();
     solver.level_zero();
+}
+
+void shaft_gas::react() {
+    if (chemistry_) chemistry_->update(solver, static_cast<const reacting_mixture&>(*model));
 }
 
 double shaft_gas::outlet_mean(const std::vector<double>& of_cells) const {

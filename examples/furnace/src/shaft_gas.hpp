@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include <hearth/voidage/transfer_operator.hpp>
 
 #include "mixture.hpp"
+#include "reaction.hpp"
 
 namespace hearth::furnace {
 
@@ -39,7 +41,14 @@ class shaft_gas {
     const gas::mesh& grid() const { return mesh_; }
     /// Mean of a value that cells have, over what leaves, by mass flow.
     double outlet_mean(const std::vector<double>& of_cells) const;
-    double burner_share(int cell) const { return solver.gas.mass_fraction[2 * cell + 1]; }
+    /// The numbers that the gas carries in a cell.
+    const double* carried(int cell) const { return &solver.gas.mass_fraction[model->species_count() * cell]; }
+    /// Amounts of the seven species in a cell [mol/kg].
+    combustion::per_species composition(int cell) const { return model->composition(solver.gas.temperature[cell], carried(cell)); }
+    /// Chemistry for the next iteration of the gas, from the gas as it is; nothing without finite rates.
+    void react();
+    /// Nothing without finite rates.
+    const std::optional<reaction>& chemistry() const { return chemistry_; }
 
   private:
     settings scene_;
@@ -48,6 +57,7 @@ class shaft_gas {
     cell_locator<gas::mesh> locator_;
     std::string outlet_;
     double air_flow_ = 0, burner_flow_ = 0;
+    std::optional<reaction> chemistry_;
 
   public:
     transfer_operator<gas::mesh> fill;      ///< for the solid fraction, as smooth as closures want it

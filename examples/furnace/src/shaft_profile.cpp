@@ -15,6 +15,8 @@
 #include <hearth/core/constants.hpp>
 #include <hearth/furnace/spinel.hpp>
 
+#include "mixture.hpp"
+
 namespace hearth::furnace {
 namespace {
 
@@ -186,7 +188,7 @@ class shaft {
     void set_gas() {
         const double air = scene_.air.volume_flow * 101325 / (chem::gas_constant * 273.15);  // [mol/s]
         gas_below_ = gas_flow(air_moles(air));
-        const double phi = scene_.burners.equivalence_ratio;
+        const double phi = fuel_ratio(scene_);
         chem::per_species mixture = air_moles(2 / 0.21);
         mixture[chem::CH4] = phi;
         const double share = scene_.burners.count > 0 ? scene_.burners.mass_flow / mass_of(mixture) : 0.0;

@@ -84,7 +84,7 @@ snapshot furnace::look() const {
         s.pressure.push_back(p.shaft.solver.absolute_pressure(c));
         const auto& u = gas.flow.velocity[c];
         s.superficial_velocity.push_back({u.x, u.y, u.z});
-        const auto x = combustion::mole_fractions(p.shaft.model->burnt(std::clamp(p.shaft.burner_share(c), 0.0, 1.0), gas.temperature[c]));
+        const auto x = combustion::mole_fractions(p.shaft.composition(c));
         for (std::size_t k = 0; k < combustion::species_count; ++k) s.mole_fraction[combustion::species_names[k]].push_back(x[k]);
     }
     return s;

@@ -97,7 +97,7 @@ summary furnace::summarise() const {
     for (auto& field : amounts) field.assign(cells, 0.0);
     for (int f = outlet.first; f < outlet.first + outlet.count; ++f) {
         const int c = p.shaft.grid().owner[f];
-        const auto n = p.shaft.model->burnt(std::clamp(p.shaft.burner_share(c), 0.0, 1.0), p.shaft.solver.gas.temperature[c]);
+        const auto n = p.shaft.composition(c);
         for (std::size_t k = 0; k < combustion::species_count; ++k) amounts[k][static_cast<std::size_t>(c)] = n[k];
     }
     combustion::per_species leaving{};
@@ -124,9 +124,7 @@ summary furnace::summarise() const {
     s.enthalpy_audit = p.imbalance() - recent_mean(p.past.stored, p.window());
     s.gas_mass_imbalance = recent_mean(p.past.gas_missing, p.window());
     s.solid_mass_imbalance = recent_mean(p.past.solid_missing, p.past.solid_missing.size());
-    double elements = 0;  // elements go with their streams: what a stream lacks, over what it brings
-    for (const gas::balance& stream : p.gas_report.species) elements = std::max(elements, stream.error);
-    s.element_imbalance = elements;
+    s.element_imbalance = p.element_imbalance();
     s.product_share_above_2130_K = share_above(p.product_hottest, 2130);
     s.product_share_above_2320_K = share_above(p.product_hottest, 2320);
     s.median_time_above_2130_K = percentile(p.product_hot_seconds, 0.5);
@@ -136,6 +134,13 @@ summary furnace::summarise() const {
         const auto c = static_cast<int>(std::max_element(t.begin(), t.end()) - t.begin());
         text << "hotter than the flame of cold gas, 2327 K: " << *s.maximum_temperature << " K; the hottest cell is " << c << " at "
              << p.shaft.grid().centre[c].z << " m; only gas that the bed has heated before it burns gets there";
+        s.warnings.push_back(text.str());
+    }
+    if (const auto& chemistry = p.shaft.chemistry(); chemistry && chemistry->unfinished > 0) {
+        std::ostringstream text;
+        const int c = static_cast<int>(chemistry->first_unfinished);
+        text << "chemistry did not finish in a cell " << chemistry->unfinished << " times, first in cell " << c << " at "
+             << p.shaft.grid().centre[c].z << " m; the gas there was left as it was";
         s.warnings.push_back(text.str());
     }
     if (p.clamped > 0) s.warnings.push_back("closures were asked outside of the range they were fitted in, see clamped_evaluations");
@@ -172,8 +177,12 @@ plan foresee(const settings& scene) {
     leaves(!scene.physics.conduction, "conduction through contacts", "physics.conduction", "the list of contacts");
     leaves(scene.bed.packing == bed_packing::lattice, "DEM", "bed.packing", "the fill phase");
     leaves(true, "shear of the bed, which sinks as a body", "this program", "DEM while it sinks");
-    leaves(true, "finite-rate chemistry", "this program",
-           "five of seven species and their integration");
+    const burning how = scene.physics.combustion;
+    leaves(how == burning::none, "combustion: the burners blow air", "physics.combustion", "all species");
+    leaves(how == burning::mixed_is_burnt || how == burning::equilibrium, "finite-rate chemistry", "physics.combustion",
+           "three of four transported species and their integration");
+    leaves(how == burning::jones_lindstedt && scene.physics.mixing == gas_mixing::at_once, "the time in which gas mixes in the bed",
+           "physics.mixing", "");
     leaves(true, "turbulence, in the free space above the bed", "this program", "two equations");
     leaves(!scene.physics.nitric_oxide, "thermal NO", "physics.nitric_oxide", "one sweep after the run");
     return result;

@@ -70,8 +70,8 @@ TEST_CASE("scene: every mistake is told with its place, its value and what is al
     CHECK(complaint("[bed]\nmotion = \"fast\"") == "my.toml:2: bed.motion is \"fast\", allowed: plug");
     // Nothing is taken that the program does not do.
     CHECK(complaint("[bed]\nmotion = \"recorded\"") == "my.toml:2: bed.motion is \"recorded\", allowed: plug");
-    CHECK(complaint("[physics]\ncombustion = \"none\"") ==
-          "my.toml:2: physics.combustion is \"none\", allowed: mixed_is_burnt, equilibrium");
+    CHECK(complaint("[physics]\ncombustion = \"magic\"") ==
+          "my.toml:2: physics.combustion is \"magic\", allowed: none, mixed_is_burnt, equilibrium, jones_lindstedt");
     CHECK(complaint("[voidage]\nmethod = \"smoother\"") == "my.toml:2: voidage.method is \"smoother\", allowed: filtered");
     CHECK(complaint("physics.turbulence = true").find("my.toml:1: physics.turbulence is not a key of a scene") == 0);
     CHECK(complaint("[burners]\ncount = 2.5") == "my.toml:2: burners.count is not a whole number");
@@ -87,7 +87,7 @@ TEST_CASE("scene: every mistake is told with its place, its value and what is al
           "particles.size: the mass shares sum to 0.5, allowed: 1");
     CHECK(complaint("burners.height_m = 11") == "burners.height_m is 11, allowed: below the top of the shaft, 10");
     CHECK(complaint("burners.equivalence_ratio = 1.2\nphysics.combustion = \"mixed_is_burnt\"") ==
-          "burners.equivalence_ratio is 1.2, allowed: at most 1, or physics.combustion = \"equilibrium\"");
+          "burners.equivalence_ratio is 1.2, allowed: at most 1, or physics.combustion = \"equilibrium\" or \"jones_lindstedt\"");
     CHECK_THROWS_WITH_AS(read_scene("no/such/file.toml"), "no/such/file.toml: cannot be opened: No such file or directory", bad_scene);
 }
 

@@ -41,7 +41,11 @@ void solver::check_balances(report& r, const gas_fields* before, double dt, doub
         inventory += m.volume[c] * bed.void_fraction[c] * gas.density[c];
         supply(0, medium_.mass_source[c]);
         supply(1, sources.enthalpy[c] + bed.heat_source[c] - bed.heat_conductance[c] * gas.temperature[c]);
-        for (int k = 0; k < width; ++k) supply(2 + k, sources.species[width * c + k]);
+        for (int k = 0; k < width; ++k) {
+            supply(2 + k, sources.species[width * c + k]);
+            const int i = width * c + k;
+            if (!sources.conversion.empty()) supply(2 + k, sources.conversion[i] * (sources.converted[i] - gas.mass_fraction[i]));
+        }
         if (!before) continue;
         const double rate = storage * m.volume[c] / dt;
         const double now = rate * bed.void_fraction[c] * gas.density[c], then = rate * old_void_[c] * before->density[c];

@@ -103,6 +103,9 @@ void solver::solve_species(report& r, const gas_fields* before, double dt, doubl
     const int width = species_;
     double greatest = 0;
     double* const fraction = scalars_.spare(0);
+    const bool reacts = !sources.conversion.empty();
+    double* const inert = scalars_.spare(1);  // the diagonal without reaction
+    if (reacts) std::copy(scalars_.a.diagonal.begin(), scalars_.a.diagonal.begin() + n, inert);
     for (int k = 0; k + 1 < species_; ++k) {
         for (int c = 0; c < m.cells(); ++c) fraction[c] = gas.mass_fraction[width * c + k];
         scalars_.start(fraction, boundary_fraction_[k]);
@@ -112,9 +115,12 @@ void solver::solve_species(report& r, const gas_fields* before, double dt, doubl
             if (dt > 0)
                 right += storage * m.volume[c] / dt * old_void_[c] * before->density[c] *
                          before->mass_fraction[width * c + k];
-            right += (1 - relax) * scalars_.a.diagonal[c] * fraction[c];
-            if (scalars_.a.diagonal[c] <= 1e-30 / relax) right = scalars_.a.diagonal[c] * fraction[c];
+            const double diagonal = reacts ? inert[c] : scalars_.a.diagonal[c];
+            right += (1 - relax) * diagonal * fraction[c];
+            if (diagonal <= 1e-30 / relax) right = diagonal * fraction[c];
+            if (reacts) right += sources.conversion[width * c + k] * sources.converted[width * c + k];
         }
+        for (int c = 0; reacts && c < n; ++c) scalars_.a.diagonal[c] = inert[c] + sources.conversion[width * c + k];
         r.scalar_iterations += scalars_.solve(fraction, settings.scalars).iterations;
         for (int c = 0; c < m.cells(); ++c) {
             double& y = gas.mass_fraction[width * c + k];

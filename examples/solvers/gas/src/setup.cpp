@@ -157,6 +157,10 @@ void solver::check_bed() const {
     const auto refuse = [](const char* what, int c, const std::string& values, const char* allowed) {
         require(false, what + (" of cell " + std::to_string(c)) + " is " + values + ", allowed: " + allowed);
     };
+    require(sources.conversion.count() == sources.converted.count() &&
+                (sources.conversion.empty() || sources.conversion.count() >= n * species_),
+            "sources.conversion and sources.converted hold " + std::to_string(sources.conversion.count()) + " and " +
+                std::to_string(sources.converted.count()) + " numbers, expected none or " + std::to_string(n * species_));
     for (int c = 0; c < n; ++c) {
         const double e = bed.void_fraction[c], d = bed.diameter[c], conductance = bed.heat_conductance[c], source = bed.heat_source[c];
         if (!(e > 0 && e <= 1)) refuse("void fraction", c, std::to_string(e), "(0, 1]");

@@ -29,7 +29,8 @@ struct wall_zone {
 };
 
 enum class bed_motion { plug };
-enum class burning { mixed_is_burnt, equilibrium };
+enum class burning { none, mixed_is_burnt, equilibrium, jones_lindstedt };
+enum class gas_mixing { at_once, bed };
 enum class voidage_method { filtered };
 enum class bed_packing { dem, lattice };
 enum class burner_feed { nozzles, section };
@@ -109,6 +110,7 @@ struct settings {
         bool conduction = true;
         bool nitric_oxide = true;
         burning combustion = burning::equilibrium;
+        gas_mixing mixing = gas_mixing::at_once;  ///< of gas that burns at finite rates
     } physics;
 
     struct {

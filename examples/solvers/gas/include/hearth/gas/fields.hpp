@@ -56,6 +56,10 @@ struct source_fields {
     array<double> species;    ///< [kg/s], cell by cell, species_count each; drying, reaction, nozzles
     array<double> enthalpy;   ///< absolute enthalpy of what comes, and any heat [W]
     array<vector3> force;     ///< momentum of what comes, and any force [N]
+    // Reaction, implicit: a species gains conversion * (converted - Y), cell by cell, species_count each.  It brings no
+    // mass: who fills them sees to it that what some gain others lose.  Empty: none.
+    array<double> conversion;  ///< [kg/s]
+    array<double> converted;   ///< mass fractions that it drives to [-]
 };
 
 }  // namespace hearth::gas
