@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acceleration.hpp"
 #include "parts.hpp"
 
 namespace hearth::furnace {
@@ -41,7 +42,7 @@ furnace::parts::parts(const settings& given)
       coarse_graining(scene.bed.coarse_graining),
       shaft(scene, scene.bed.coarse_graining * sauter_diameter(scene)),
       rings(scene, scene.shaft.height, std::max(0.1, 1.5 * scene.bed.coarse_graining * sauter_diameter(scene))),
-      clock(scene.time.acceleration_factor),
+      clock((scene.time.acceleration_factor.value = acceleration_of(scene, profile))),
       gas_terms(gas_convection(closure::gunn{})),
       stone_terms(make_radiation(scene), make_conduction(scene)),
       network(network_params()) {

@@ -34,7 +34,7 @@ inline const list_members<size_class> size_members{{"diameter_mm", {&size_class:
 constexpr auto names(bed_motion) { return std::array<std::string_view, 1>{"plug"}; }
 constexpr auto names(burning) { return std::array<std::string_view, 4>{"none", "mixed_is_burnt", "equilibrium", "jones_lindstedt"}; }
 constexpr auto names(gas_mixing) { return std::array<std::string_view, 2>{"at_once", "bed"}; }
-constexpr auto names(voidage_method) { return std::array<std::string_view, 1>{"filtered"}; }
+constexpr auto names(voidage_method) { return std::array<std::string_view, 2>{"filtered", "vfs"}; }
 constexpr auto names(bed_packing) { return std::array<std::string_view, 2>{"dem", "lattice"}; }
 constexpr auto names(burner_feed) { return std::array<std::string_view, 2>{"nozzles", "section"}; }
 constexpr auto names(start_from) { return std::array<std::string_view, 2>{"one_dimensional", "cold"}; }
@@ -82,7 +82,7 @@ void describe(Settings& s, Key&& key) {
     key("bed", "friction", s.bed.friction, range{0, 2}, "Friction between particles and with walls (assumed)");
     key("bed", "restitution", s.bed.restitution, range{0.01, 1}, "Coefficient of restitution (assumed)");
 
-    key("voidage", "method", s.voidage.method, range{}, "How parcels become a solid fraction: deposited, spread by a kernel, capped");
+    key("voidage", "method", s.voidage.method, range{}, "How parcels become a solid fraction, and spread what they exchange: deposited over the cells that they touch, spread by a kernel, capped; or the volume fraction smoother of the paper, all to the cell of the centre, then what is above the threshold to its neighbours");
     key("voidage", "threshold", s.voidage.threshold, range{0.1, 1}, "Largest solid fraction of a cell (0.9 in the paper)");
     key("voidage", "width_in_diameters", s.voidage.width_in_diameters, range{0.1, 5}, "Width sigma of the kernel over the particle diameter");
 
@@ -99,7 +99,8 @@ void describe(Settings& s, Key&& key) {
     key("physics", "combustion", s.physics.combustion, range{}, "How the gas burns: not at all (the burners blow air), to CO2 and H2O or to equilibrium where it is mixed, or by Jones and Lindstedt's four steps at finite rates");
     key("physics", "mixing", s.physics.mixing, range{}, "Of gas that burns at finite rates: at once, or in the time in which it passes a pore of the bed (partially stirred reactor)");
 
-    key("time", "acceleration_factor", s.time.acceleration_factor, range{1, 1e4}, "Gamma");
+    key("time", "acceleration_factor", s.time.acceleration_factor, range{1, 1e4}, "Gamma, or \"auto\". The gas is at rest with the bed at every instant, so heat does not feel it; motion does, where DEM makes it. auto: the largest at which the bed moves quasi-statically, a fifth of sqrt(g d) (120 for stones of the paper's furnace)");
+    key("time", "acceleration_tolerance", s.time.acceleration_tolerance, range{1e-6, 1}, "Error of a stone's temperature, over the step of the gas's that it follows, that auto allows Gamma to cause");
     key("time", "couplings", s.time.couplings, range{1, 1e7}, "Exchanges between gas and bed in all");
     key("time", "residence_times", s.time.residence_times, range{0, 1000}, "Process time over the residence time of the solids");
     key("time", "start", s.time.start, range{}, "Where the temperatures start from");

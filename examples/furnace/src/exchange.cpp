@@ -16,8 +16,12 @@ constexpr double ring_mass = 1e-6;  // of a ring of the wall, which stores nothi
 void furnace::parts::place_bed() {
     const stopwatch timing(seconds.voidage);
     std::vector<double> solid(static_cast<std::size_t>(shaft.grid().cells()));
-    shaft.transfer.distribute(parcels{*bed, fields}, solid);
-    const filtered_fraction_report report = shaft.fill.distribute(parcels{*bed, fields}, solid);
+    const auto distribute = [&](auto& map) {
+        if (scene.voidage.method == voidage_method::vfs) return map.distribute(parcels{*bed, fields}, solid, deposit::centre{});
+        return map.distribute(parcels{*bed, fields}, solid);
+    };
+    distribute(shaft.transfer);
+    const filtered_fraction_report report = distribute(shaft.fill);
     stranded = report.cap.stranded_volume;
     auto& fluid = shaft.solver.bed;
     for (std::size_t c = 0; c < solid.size(); ++c) fluid.void_fraction[c] = 1 - solid[c];
@@ -36,15 +40,20 @@ void furnace::parts::exchange_with_gas() {
         const stopwatch timing(seconds.transfer);
         seen.gather(solver, shaft.transfer, count);
     }
+    const interval fitted = closure::gunn::void_fraction_range();
+    for (std::size_t i = 0; i < count; ++i) {
+        double& e = seen.void_fraction[i];
+        if (fitted.contains(e)) continue;
+        ++clamped;
+        for (double& u : seen.velocity[i]) u *= e / fitted.clamp(e);  // the superficial velocity stays
+        e = fitted.clamp(e);
+    }
     {
         const stopwatch timing(seconds.convection);
         gas_terms.gas_conductances(stones{*bed, fields, coarse_graining, scene.time.acceleration_factor}, seen, fields.conductance, clock);
         const double stones_of_parcel = std::pow(coarse_graining, 3);
         for (double& k : fields.conductance) k *= stones_of_parcel;
     }
-    const interval fitted = closure::gunn::void_fraction_range();
-    for (const double e : seen.void_fraction) clamped += fitted.contains(e) ? 0 : 1;
-
     // Heat over the step by the trapezoidal rule.  A stone that sinks by w in a step, along a profile with the slope g, then
     // carries the heat of the true one: an implicit step would be off by g w / 2, which spreads heat along the axis as if the
     // bed conducted (1900 W/(m^2 K) times w / 2: four times radiation at 0.17 m), an exponential one by g w x / 12 with

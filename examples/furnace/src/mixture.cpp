@@ -58,7 +58,9 @@ double mixture::cold_enthalpy(int stream, double temperature) const {
 }
 
 double mixture::heating_value() const {
-    return cold_enthalpy(1, 298.15) - combustion::combine(completely(streams_[1])).enthalpy(298.15);
+    per_species n = streams_[1];
+    n[combustion::O2] = std::max(n[combustion::O2], 2 * n[combustion::CH4]);  // rich gas takes the rest from the air
+    return combustion::combine(n).enthalpy(298.15) - combustion::combine(completely(n)).enthalpy(298.15);
 }
 
 double mixture::viscosity(double t, const double*) const { return closure::air::viscosity(t); }

@@ -101,6 +101,10 @@ class scene_reader {
                 refuse(&node, path + " is \"" + given + "\", allowed: " + all);
             }
             value = static_cast<Value>(found - words.begin());
+        } else if constexpr (std::is_same_v<Value, number_or_auto>) {
+            value.automatic = node.is_string() && *node.value<std::string>() == "auto";
+            if (node.is_string() && !value.automatic) refuse(&node, path + " is neither a number nor \"auto\"");
+            if (!value.automatic) value.value = number(node, path, allowed);
         } else if constexpr (std::is_integral_v<Value>) {
             if (!node.is_integer()) refuse(&node, path + " is not a whole number");
             value = static_cast<Value>(number(node, path, allowed));

@@ -64,6 +64,8 @@ std::string written(const Value& value, const range& allowed) {
         std::string list;
         for (const double item : value) list += (list.empty() ? "[" : ", ") + written(item, allowed);
         return list + "]";
+    } else if constexpr (std::is_same_v<Value, number_or_auto>) {
+        return value.automatic ? "\"auto\"" : written(value.value, allowed);
     } else if constexpr (std::is_integral_v<Value>) {
         return std::to_string(value);
     } else {

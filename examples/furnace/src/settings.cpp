@@ -26,6 +26,18 @@ void set_key(settings& scene, const std::string& assignment) {
 }
 
 void check(const settings& scene) {
+    describe(scene, overloaded{[](std::string_view table, std::string_view name, const auto& value, const range& allowed, const char*) {
+                                   using value_type = std::decay_t<decltype(value)>;
+                                   if constexpr (std::is_convertible_v<value_type, double> && !std::is_same_v<value_type, bool>) {
+                                       const double given = static_cast<double>(value) / allowed.to_si;
+                                       const double slack = 1e-12 * std::abs(given);  // of units
+                                       if (given >= allowed.from - slack && given <= allowed.to + slack) return;
+                                       throw bad_scene(path_of(table, name) + " is " + format(given) + ", allowed: " + format(allowed.from) +
+                                                       " to " + format(allowed.to));
+                                   }
+                               },
+                               [](const char*, const auto&, const auto&) {}});
+    if (!(scene.air.volume_flow > 0)) throw bad_scene("air.volume_flow_Nm3_per_h is 0, allowed: above 0, so that gas passes the whole bed");
     double share = 0;
     for (const size_class& size : scene.particles.sizes) share += size.mass_share;
     if (std::abs(share - 1) > 1e-6) throw bad_scene("particles.size: the mass shares sum to " + format(share) + ", allowed: 1");
@@ -56,9 +68,6 @@ void check(const settings& scene) {
     if (scene.burners.equivalence_ratio > 1 && scene.physics.combustion == burning::mixed_is_burnt) {
         throw bad_scene("burners.equivalence_ratio is " + format(scene.burners.equivalence_ratio) +
                         ", allowed: at most 1, or physics.combustion = \"equilibrium\" or \"jones_lindstedt\"");
-    }
-    if (!(scene.time.acceleration_factor > 0)) {
-        throw bad_scene("time.acceleration_factor is " + format(scene.time.acceleration_factor) + ", allowed: above 0");
     }
 }
 

@@ -10,6 +10,11 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 }
 
+namespace {
+/// The paper's smoother has no kernel, and spreads heat as it spreads volume.
+bool filtered(const settings& scene) { return scene.voidage.method == voidage_method::filtered; }
+}  // namespace
+
 gas::shaft shape_of(const settings& scene) {
     gas::shaft shape;
     const double radius = 0.5 * scene.shaft.diameter, height = scene.shaft.height, top = height + scene.shaft.hopper_height;
@@ -63,8 +68,9 @@ shaft_gas::shaft_gas(const settings& scene, double parcel_diameter)
       graph_(mesh_),
       locator_(mesh_, graph_),
       outlet_(scene.shaft.hopper_height > 0 ? "outlet" : "top"),
-      fill(locator_, {scene.voidage.width_in_diameters * parcel_diameter, scene.voidage.threshold, 1e-5}),
-      transfer(locator_, {scene.voidage.exchange_width_in_diameters * parcel_diameter, 1.0, 1e-5}),
+      fill(locator_, {filtered(scene) ? scene.voidage.width_in_diameters * parcel_diameter : 0.0, scene.voidage.threshold, 1e-5}),
+      transfer(locator_, {filtered(scene) ? scene.voidage.exchange_width_in_diameters * parcel_diameter : 0.0,
+                          filtered(scene) ? 1.0 : scene.voidage.threshold, 1e-5}),
       model(make_mixture(scene)),
       solver(mesh_, model, solver_settings_of(scene)) {
     const double normal_density = 101325 / (combustion::gas_constant * 273.15 * combustion::sum(air()));

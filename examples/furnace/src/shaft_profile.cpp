@@ -209,7 +209,10 @@ class shaft {
             for (std::size_t i = 0; i < chem::species_count; ++i) all[i] += gas_below_.moles[i];
             gas_.push_back(gas_flow(all).burnt());
         }
-        fuel_power_ = whole.heat.enthalpy(298.15) - whole.burnt().heat.enthalpy(298.15);
+        chem::per_species with_air = mixture;  // rich gas takes what it lacks from the air
+        with_air[chem::O2] = std::max(mixture[chem::O2], 2 * mixture[chem::CH4]);
+        const gas_flow enough(with_air);
+        fuel_power_ = enough.heat.enthalpy(298.15) - enough.burnt().heat.enthalpy(298.15);
     }
 
     double transfer_coefficient(const gas_flow& gas, double film, double solid) const {

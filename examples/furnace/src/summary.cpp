@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "acceleration.hpp"
 #include "nitric_oxide.hpp"
 #include "parts.hpp"
 
@@ -56,6 +57,7 @@ summary furnace::summarise() const {
     s.stranded_volume = p.stranded;
     s.clamped_evaluations = p.clamped;
     s.coupling_share = now.coupling_share;
+    s.acceleration_factor = p.scene.time.acceleration_factor;
     s.converged = p.converged;
 
     // Means over the particles of a slice and a share of the radius.
@@ -129,12 +131,19 @@ summary furnace::summarise() const {
     s.product_share_above_2320_K = share_above(p.product_hottest, 2320);
     s.median_time_above_2130_K = percentile(p.product_hot_seconds, 0.5);
     if (*s.maximum_temperature > 2327) {
-        std::ostringstream text;
+        const auto tell = [&](const char* what, double temperature, int cell, double z) {
+            if (!(temperature > 2327)) return;
+            std::ostringstream text;
+            text << "hotter than the flame of cold gas, 2327 K: the hottest " << what << ", " << temperature << " K in cell " << cell << " at " << z
+                 << " m; only gas that is hot before it burns makes it so";
+            s.warnings.push_back(text.str());
+        };
+        const gas::mesh& m = p.shaft.grid();
         const auto& t = p.shaft.solver.gas.temperature;
         const auto c = static_cast<int>(std::max_element(t.begin(), t.end()) - t.begin());
-        text << "hotter than the flame of cold gas, 2327 K: " << *s.maximum_temperature << " K; the hottest cell is " << c << " at "
-             << p.shaft.grid().centre[c].z << " m; only gas that the bed has heated before it burns gets there";
-        s.warnings.push_back(text.str());
+        tell("gas", t[c], c, m.centre[c].z);
+        const dem::vector3& x = p.bed->spheres()[p.hottest_stone()].centre;
+        tell("stone", now.peak_particle_temperature, m.find_cell({x.x, x.y, x.z}), x.z);
     }
     if (const auto& chemistry = p.shaft.chemistry(); chemistry && chemistry->unfinished > 0) {
         std::ostringstream text;
@@ -143,6 +152,7 @@ summary furnace::summarise() const {
              << p.shaft.grid().centre[c].z << " m; the gas there was left as it was";
         s.warnings.push_back(text.str());
     }
+    if (const std::string text = acceleration_warning(p.scene, p.scene.time.acceleration_factor); !text.empty()) s.warnings.push_back(text);
     if (p.clamped > 0) s.warnings.push_back("closures were asked outside of the range they were fitted in, see clamped_evaluations");
     return s;
 }

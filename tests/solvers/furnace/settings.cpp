@@ -72,12 +72,12 @@ TEST_CASE("scene: every mistake is told with its place, its value and what is al
     CHECK(complaint("[bed]\nmotion = \"recorded\"") == "my.toml:2: bed.motion is \"recorded\", allowed: plug");
     CHECK(complaint("[physics]\ncombustion = \"magic\"") ==
           "my.toml:2: physics.combustion is \"magic\", allowed: none, mixed_is_burnt, equilibrium, jones_lindstedt");
-    CHECK(complaint("[voidage]\nmethod = \"smoother\"") == "my.toml:2: voidage.method is \"smoother\", allowed: filtered");
+    CHECK(complaint("[voidage]\nmethod = \"smoother\"") == "my.toml:2: voidage.method is \"smoother\", allowed: filtered, vfs");
     CHECK(complaint("physics.turbulence = true").find("my.toml:1: physics.turbulence is not a key of a scene") == 0);
     CHECK(complaint("[burners]\ncount = 2.5") == "my.toml:2: burners.count is not a whole number");
     CHECK(complaint("[physics]\nradiation = 1") == "my.toml:2: physics.radiation is neither true nor false");
     CHECK(complaint("cell_across = 9") == "my.toml:1: cell_across is not a key of a scene; the nearest one is mesh.cells_across");
-    CHECK(complaint("[time]\nacceleration_factor = \"fast\"") == "my.toml:2: time.acceleration_factor is not a number");
+    CHECK(complaint("[time]\nacceleration_factor = \"fast\"") == "my.toml:2: time.acceleration_factor is neither a number nor \"auto\"");
     CHECK(complaint("[[wall.zone]]\nz_min_m = 0\nz_max_m = 1\nambient_temperature_K = 300") ==
           "my.toml:1: an entry of wall.zone lacks transmittance_W_per_m2K");
     CHECK(complaint("\nkind = \"silo\"") == "my.toml:2: kind is \"silo\", allowed here: furnace");

@@ -28,10 +28,19 @@ struct wall_zone {
     double ambient_temperature;  ///< [K]
 };
 
+/// A number that may be left to the program.
+struct number_or_auto {
+    number_or_auto(double given) : value(given) {}
+    operator double() const { return value; }
+
+    double value;
+    bool automatic = false;
+};
+
 enum class bed_motion { plug };
 enum class burning { none, mixed_is_burnt, equilibrium, jones_lindstedt };
 enum class gas_mixing { at_once, bed };
-enum class voidage_method { filtered };
+enum class voidage_method { filtered, vfs };
 enum class bed_packing { dem, lattice };
 enum class burner_feed { nozzles, section };
 enum class start_from { one_dimensional, cold };
@@ -114,7 +123,8 @@ struct settings {
     } physics;
 
     struct {
-        double acceleration_factor = 678;  ///< Gamma
+        number_or_auto acceleration_factor = 678;  ///< Gamma; the furnace replaces auto by what it stands for
+        double acceleration_tolerance = 0.01;      ///< that auto allows [-]
         int couplings = 360;
         double residence_times = 6;
         start_from start = start_from::one_dimensional;

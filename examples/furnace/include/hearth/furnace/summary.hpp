@@ -45,6 +45,7 @@ struct summary {
     number maximum_temperature;              ///< of gas and particles [K]
     number stranded_volume;                  ///< solid that no cell could take [m^3]
     number clamped_evaluations;              ///< closures outside of their range and gas outside of its tables
+    number acceleration_factor;              ///< Gamma, also where the scene left it to the program [-]
     number coupling_share;                   ///< of the wall time: voidage and transfer [-]
     number wall_time;                        ///< [s]
     number peak_memory;                      ///< [bytes]
@@ -96,6 +97,7 @@ void for_each_number(Summary& s, Visit&& visit) {
     visit("maximum_temperature_K", s.maximum_temperature);
     visit("stranded_volume_m3", s.stranded_volume);
     visit("clamped_evaluations", s.clamped_evaluations);
+    visit("acceleration_factor", s.acceleration_factor);
     visit("coupling_share", s.coupling_share);
     visit("wall_time_s", s.wall_time);
     visit("peak_memory_bytes", s.peak_memory);
