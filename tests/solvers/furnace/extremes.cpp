@@ -28,6 +28,7 @@ void check_sound(const furnace& shaft, double hottest) {
         return std::all_of(values.begin(), values.end(), [&](double v) { return v >= low && v <= high; });  // false for NaN
     };
     CHECK(within(seen.particle_temperature, 200 - 1e-6, hottest));
+    CAPTURE(shaft.now().maximum_gas_temperature);
     CHECK(within(seen.gas_temperature, 200 - 1e-6, hottest));
     CHECK(within(seen.pressure, 1, 1e7));
     CHECK(within(seen.void_fraction, 0.05, 1));
@@ -102,6 +103,7 @@ TEST_CASE("extremes: scenes at the ends of their ranges") {
         std::function<void(settings&)> make;
         double hottest;  // [K]
     };
+    // Above 2700 K only where what burns is hotter than the air of a paper-like furnace: with 2300 K before it burns 3100 K.
     const end ends[] = {
         {"walls that lose nothing", [](settings& s) { s.shaft.zones = {{0, 10, 0, 320}}; }, 2700},
         {"walls that lose 50 W/(m^2 K)", [](settings& s) { s.shaft.zones = {{0, 10, 50, 320}}; }, 2700},
@@ -110,8 +112,8 @@ TEST_CASE("extremes: scenes at the ends of their ranges") {
         {"a hot feed", [](settings& s) { s.particles.feed_temperature = 1500; }, 3000},
         {"a cold feed", [](settings& s) { s.particles.feed_temperature = s.air.temperature = 200; }, 2700},
         {"hot air", [](settings& s) { s.air.temperature = 1500; }, 3000},
-        {"rich burners", [](settings& s) { s.burners.equivalence_ratio = 2; s.physics.combustion = burning::equilibrium; }, 2700},
-        {"rich burners, finite rates", [](settings& s) { s.burners.equivalence_ratio = 2; s.physics.combustion = burning::jones_lindstedt; }, 2700},
+        {"rich burners", [](settings& s) { s.burners.equivalence_ratio = 1.3; s.physics.combustion = burning::equilibrium; }, 3100},
+        {"rich burners, finite rates", [](settings& s) { s.burners.equivalence_ratio = 1.3; s.physics.combustion = burning::jones_lindstedt; }, 3100},
         {"no solids", [](settings& s) { s.particles.mass_flow = 0; }, 2700}};
     for (const end& e : ends) {
         CAPTURE(std::string(e.what));
