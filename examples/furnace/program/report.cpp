@@ -32,6 +32,15 @@ bool is_the_papers(const settings& scene) {
 
 const char* word(bed_packing p) { return p == bed_packing::dem ? "packed by DEM" : "on a lattice"; }
 
+const char* word(bed_motion m) {
+    switch (m) {
+        case bed_motion::recorded: return "moved by what DEM shows of its motion";
+        case bed_motion::plug: return "sinking as a plug";
+        case bed_motion::frozen: return "at rest";
+    }
+    return "";
+}
+
 const char* word(burning b) {
     switch (b) {
         case burning::none: return "no combustion";
@@ -56,8 +65,8 @@ std::string expectation(const settings& scene, const plan& planned) {
     out += print("  shaft      %.4g m high, %.4g m wide, %d burners at %.4g m\n", scene.shaft.height, scene.shaft.diameter,
                  scene.burners.count, scene.burners.height);
     out += print("  gas        %lld cells, %s\n", static_cast<long long>(planned.cells), word(scene.physics.combustion));
-    out += print("  bed        %lld parcels that stand for %lld particles, %s, sinking as a plug\n", static_cast<long long>(planned.parcels),
-                 static_cast<long long>(planned.particles), word(scene.bed.packing));
+    out += print("  bed        %lld parcels that stand for %lld particles, %s, %s\n", static_cast<long long>(planned.parcels),
+                 static_cast<long long>(planned.particles), word(scene.bed.packing), word(scene.bed.motion));
     out += print("  couplings  %d over %.3g residence times\n", planned.couplings, scene.time.residence_times);
     out += print("  expected   %s of memory, %s on one core (+-50 %%)\n", size_of(planned.memory).c_str(), duration(planned.seconds).c_str());
     if (!planned.left_out.empty()) out += "\nLeft out:\n";

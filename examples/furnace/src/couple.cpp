@@ -69,8 +69,8 @@ void furnace::parts::use_bed(std::unique_ptr<dem::moving_bed> made) {
 
 void furnace::parts::fill_step() {
     const stopwatch timing(seconds.dem);
-    fill->advance(200);
-    if (!fill->at_rest()) return;
+    fill->advance();
+    if (!fill->done()) return;
     use_bed(fill->finished());
     fill.reset();
     fit_to_packing();

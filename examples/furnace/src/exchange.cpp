@@ -17,8 +17,8 @@ void furnace::parts::place_bed() {
     const stopwatch timing(seconds.voidage);
     std::vector<double> solid(static_cast<std::size_t>(shaft.grid().cells()));
     const auto distribute = [&](auto& map) {
-        if (scene.voidage.method == voidage_method::vfs) return map.distribute(parcels{*bed, fields}, solid, deposit::centre{});
-        return map.distribute(parcels{*bed, fields}, solid);
+        if (scene.voidage.method == voidage_method::vfs) return map.distribute(cloud(), solid, deposit::centre{});
+        return map.distribute(cloud(), solid);
     };
     distribute(shaft.transfer);
     const filtered_fraction_report report = distribute(shaft.fill);
@@ -103,7 +103,7 @@ void furnace::parts::exchange_with_neighbours() {
     if (!scene.physics.radiation && !scene.physics.conduction) return;
     {
         const stopwatch timing(seconds.links);
-        stone_terms.links(parcels{*bed, fields}, bed_neighbours{*bed, rings}, no_gas{}, links);
+        stone_terms.links(cloud(), bed_neighbours{*bed, rings}, no_gas{}, links);
         std::size_t k = 0;
         for (const link_part& part : links.parts) {
             const bool radiates = part.term == 0;

@@ -69,12 +69,15 @@ saved_state furnace::parts::save() {
     saved["phase"] = {static_cast<double>(now)};
     saved["burner_flow"] = {shaft.burner_flow()};
     if (now == phase::fill) {
-        saved["filling/gravity"] = {fill->gravity()};
-        saved["filling/state"] = to_numbers(fill->state());
+        fill->save(saved);
         return saved;
     }
-    saved["bed/spheres"] = to_flat(bed->spheres());
-    saved["bed/masses"] = bed->masses();
+    if (const auto* recorded = dynamic_cast<const dem::recorded_bed*>(bed.get())) {
+        saved["bed/recording"] = to_numbers(recorded->record().bytes());
+    } else {
+        saved["bed/spheres"] = to_flat(bed->spheres());
+        saved["bed/masses"] = bed->masses();
+    }
     saved["bed/state"] = to_numbers(bed->state());
     each_part([&](const std::string& name, auto& value) { saved[name] = to_flat(value); });
     return saved;
@@ -89,7 +92,7 @@ void furnace::parts::restore(const saved_state& saved) {
     const auto then = static_cast<phase>(find("phase").at(0));
     if (then == phase::fill) {
         if (!fill) throw bad_scene("the state is that of a bed being filled; this furnace has one");
-        fill->restore(find("filling/gravity").at(0), to_bytes(find("filling/state")));
+        fill->restore(saved);
         return;
     }
     static_cast<void>(find("burner_flow"));
@@ -100,9 +103,15 @@ void furnace::parts::restore(const saved_state& saved) {
             throw bad_scene("the state has " + std::to_string(size) + " numbers of " + name + ", expected: " + std::to_string(flat_size(value)));
         }
     });
-    std::vector<dem::sphere> spheres;
-    from_flat(find("bed/spheres"), spheres);
-    std::unique_ptr<dem::moving_bed> made = remake_bed(scene, std::move(spheres), find("bed/masses"));
+    std::unique_ptr<dem::moving_bed> made;
+    if (scene.bed.motion == bed_motion::recorded) {
+        auto record = std::make_shared<const dem::recording>(dem::recording::read(to_bytes(find("bed/recording"))));
+        made = std::make_unique<dem::recorded_bed>(std::move(record), surroundings_of(scene), scene.particles.mass_flow);
+    } else {
+        std::vector<dem::sphere> spheres;
+        from_flat(find("bed/spheres"), spheres);
+        made = bed_of(scene, std::move(spheres), find("bed/masses"));
+    }
     made->restore(to_bytes(find("bed/state")));
     use_bed(std::move(made));
     fill.reset();

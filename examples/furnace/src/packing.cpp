@@ -4,10 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <hearth/dem/random.hpp>
-
-#include "shaft_gas.hpp"
-
 namespace hearth::furnace {
 
 namespace {
@@ -46,17 +42,7 @@ std::vector<dem::vector3> lattice(double radius, double height, double spacing) 
     return points;
 }
 
-/// A diameter of a stone, by the sizes' shares of number.
-double draw(const settings& scene, dem::random_source& random) {
-    double all = 0;
-    for (const size_class& size : scene.particles.sizes) all += size.mass_share / std::pow(size.diameter, 3);
-    double left = random.uniform() * all;
-    for (const size_class& size : scene.particles.sizes) {
-        left -= size.mass_share / std::pow(size.diameter, 3);
-        if (left <= 0) return size.diameter;
-    }
-    return scene.particles.sizes.back().diameter;
-}
+}  // namespace
 
 dem::bed_settings bed_settings_of(const settings& scene) {
     dem::bed_settings s;
@@ -69,14 +55,26 @@ dem::bed_settings bed_settings_of(const settings& scene) {
     return s;
 }
 
-constexpr double loose = 1.06;  // spacing of the start over the largest diameter
-
-}  // namespace
-
 double sauter_diameter(const settings& scene) {
     double inverse = 0;
     for (const size_class& size : scene.particles.sizes) inverse += size.mass_share / size.diameter;
     return 1 / inverse;
+}
+
+dem::size_distribution sizes_of(const settings& scene) {
+    std::vector<size_class> sizes = scene.particles.sizes;
+    std::sort(sizes.begin(), sizes.end(), [](const size_class& a, const size_class& b) { return a.diameter < b.diameter; });
+    std::vector<dem::size_distribution::point> table;
+    double below = 0;
+    for (const size_class& size : sizes) {
+        const double diameter = scene.bed.coarse_graining * size.diameter;
+        if (!(size.mass_share > 0)) continue;
+        table.push_back({diameter, below});
+        below = std::min(1.0, below + size.mass_share);
+        table.push_back({diameter * (1 + 1e-9), below});  // the table is linear between its points: a class is a steep piece
+    }
+    table.back().mass_below = 1;
+    return dem::size_distribution(table);
 }
 
 dem::material softened(const settings& scene) { return {scene.bed.softened_modulus, scene.bed.poisson_ratio}; }
@@ -112,100 +110,21 @@ std::unique_ptr<dem::moving_bed> lattice_bed(const settings& scene) {
     std::vector<dem::sphere> spheres;
     for (const dem::vector3& x : points) spheres.push_back({x, radius});
     const std::vector<double> masses(spheres.size(), 4.0 / 3.0 * pi * std::pow(radius, 3) * scene.particles.density);
-    return remake_bed(scene, std::move(spheres), masses);
+    return bed_of(scene, std::move(spheres), masses);
 }
 
-std::unique_ptr<dem::moving_bed> remake_bed(const settings& scene, std::vector<dem::sphere> spheres, std::vector<double> masses) {
-    const double height = scene.shaft.height;
-    dem::surroundings around{dem::contact_law::between_particles(softened(scene), contact_of(scene)), {shaft_wall(scene, height)}, {}};
+dem::surroundings surroundings_of(const settings& scene) {
+    dem::surroundings around{dem::contact_law::between_particles(softened(scene), contact_of(scene)), {shaft_wall(scene, scene.shaft.height)}, {}};
     around.wall_laws.push_back(dem::contact_law::with_wall(softened(scene), softened(scene), contact_of(scene)));
-    return std::make_unique<dem::plug_bed>(std::move(spheres), std::move(masses), dem::zone{{0, 0, 0}, 0.5 * scene.shaft.diameter, height},
-                                           std::move(around), scene.particles.mass_flow);
+    return around;
 }
 
-filling::filling(const settings& scene) : scene_(scene), bed_(bed_settings_of(scene)), top_(scene.shaft.height) {
-    dem::wall floor;
-    floor.facets = dem::shape::plane({0, 0, 0}, {0, 0, 1});
-    floor.body = softened(scene);
-    floor.contact = contact_of(scene);
-    bed_.add_wall(floor);
-    bed_.add_wall(shaft_wall(scene, 4 * top_));
-    // A loose cubic lattice, too unstable to remain one, with more than enough to fill what is modelled.
-    double largest = 0;
-    for (const size_class& size : scene.particles.sizes) largest = std::max(largest, size.diameter);
-    largest *= scene.bed.coarse_graining;
-    const double spacing = loose * largest, shaft_radius = 0.5 * scene.shaft.diameter;
-    dem::random_source random{scene.output.seed};
-    const double wanted = 0.60 * pi * shaft_radius * shaft_radius * (top_ + 0.5 * largest);
-    std::vector<dem::particle> start;
-    const auto across = static_cast<int>(shaft_radius / spacing);
-    double filled = 0;
-    for (int k = 0; filled < wanted; ++k) {
-        for (int j = -across; j <= across; ++j) {
-            for (int i = -across; i <= across; ++i) {
-                const auto jitter = [&] { return (loose - 1) * largest * random.uniform(-0.25, 0.25); };
-                dem::particle p;
-                p.radius = 0.5 * scene.bed.coarse_graining * draw(scene, random);
-                p.density = scene.particles.density;
-                p.temperature = scene.particles.feed_temperature;
-                p.position = {i * spacing + jitter(), j * spacing + jitter(), (k + 0.5) * spacing + jitter()};
-                if (std::hypot(p.position.x, p.position.y) + p.radius > shaft_radius) continue;
-                filled += 4.0 / 3.0 * pi * std::pow(p.radius, 3);
-                start.push_back(p);
-            }
-        }
+std::unique_ptr<dem::moving_bed> bed_of(const settings& scene, std::vector<dem::sphere> spheres, std::vector<double> masses) {
+    if (scene.bed.motion == bed_motion::frozen) {
+        return std::make_unique<dem::frozen_bed>(std::move(spheres), std::move(masses), surroundings_of(scene));
     }
-    bed_.insert(start);
-}
-
-void filling::advance(int steps) {
-    bed_.advance(steps);
-    judge();
-    // Softened parcels lie deep in one another under the weight of 10 m, which costs void fraction that true stones keep:
-    // under a twentieth of it they spring back.
-    if (!at_rest_ || bed_.settings().gravity.z > -9) return;
-    bed_.set_gravity({0, 0, -9.81 / 20});
-    at_rest_ = false;
-}
-
-void filling::judge() {
-    // At rest: slower, at the mean of all, than a fall by a five-hundredth of a diameter makes; the column still rings a little.
-    double energy = 0, mass = 0;
-    for (dem::index i = 0; i < bed_.size(); ++i) {
-        energy += 0.5 * bed_.mass(i) * dot(bed_.motions()[i].velocity, bed_.motions()[i].velocity);
-        mass += bed_.mass(i);
-    }
-    const double fall = 0.01 * scene_.bed.coarse_graining * sauter_diameter(scene_) * 9.81;
-    at_rest_ = bed_.time() > 0.3 && energy / mass < 0.2 * fall;
-}
-
-double filling::level() const {
-    double top = 0;
-    for (dem::index i = 0; i < bed_.size(); ++i) top = std::max(top, bed_.spheres()[i].centre.z);
-    return std::min(top, top_);
-}
-
-double filling::share() const {
-    const double expected = std::sqrt(2 * 0.4 * top_ / 9.81) + 0.5;  // the top falls by a third of the height, then rests
-    return at_rest_ ? 1 : std::min(0.99, bed_.time() / expected);
-}
-
-void filling::restore(double gravity, const std::vector<char>& state) {
-    bed_.set_gravity({0, 0, gravity});
-    bed_.restore(state);
-    judge();
-}
-
-std::unique_ptr<dem::moving_bed> filling::finished() const {
-    std::vector<dem::sphere> spheres;
-    std::vector<double> masses;
-    for (dem::index i = 0; i < bed_.size(); ++i) {
-        const dem::sphere& s = bed_.spheres()[i];
-        if (s.centre.z < 0 || s.centre.z >= top_) continue;
-        spheres.push_back(s);
-        masses.push_back(bed_.mass(i));
-    }
-    return remake_bed(scene_, std::move(spheres), std::move(masses));
+    const dem::zone shaft{{0, 0, 0}, 0.5 * scene.shaft.diameter, scene.shaft.height};
+    return std::make_unique<dem::plug_bed>(std::move(spheres), std::move(masses), shaft, surroundings_of(scene), scene.particles.mass_flow);
 }
 
 }  // namespace hearth::furnace

@@ -19,6 +19,7 @@
 #include <hearth/transfer/convection.hpp>
 #include <hearth/transfer/radiation.hpp>
 
+#include "filling.hpp"
 #include "gas_at_particles.hpp"
 #include "packing.hpp"
 #include "shaft_gas.hpp"
@@ -87,6 +88,7 @@ struct furnace::parts {
     void exchange_with_gas();
     void exchange_with_neighbours();
     void place_bed();
+    parcels cloud() const { return {*bed, fields, scene.shaft.height + scene.shaft.hopper_height}; }
     double bed_enthalpy() const;
     std::size_t window() const;             ///< couplings that a balance is averaged over
     double imbalance(std::size_t back = 0) const;  ///< of the steady furnace, averaged [W]

@@ -61,6 +61,12 @@ void check(const settings& scene) {
         throw bad_scene("burners.height_m is " + format(scene.burners.height) + ", allowed: below the top of the shaft, " +
                         format(scene.shaft.height));
     }
+    if (scene.bed.motion == bed_motion::recorded && scene.bed.packing != bed_packing::dem) {
+        throw bad_scene("bed.motion is \"recorded\", allowed with bed.packing = \"dem\": there is nothing to record of a lattice");
+    }
+    if (scene.bed.motion == bed_motion::recorded && !(scene.particles.mass_flow > 0)) {
+        throw bad_scene("bed.motion is \"recorded\", allowed where particles.mass_flow_kg_per_h is above 0");
+    }
     if (scene.bed.softened_modulus > scene.bed.modulus) {
         throw bad_scene("bed.softened_modulus_Pa is " + format(scene.bed.softened_modulus) + ", allowed: at most bed.modulus_Pa, " +
                         format(scene.bed.modulus));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -51,6 +52,7 @@ struct stone_fields {
 struct parcels {
     const dem::moving_bed& bed;
     const stone_fields& fields;
+    double top;  ///< of the mesh; those that are about to leave, or heaped above it, count with its last cells [m]
 };
 
 /// The bed as stones, one for each parcel: what the closures were fitted for.
@@ -77,7 +79,7 @@ struct hearth::particle_traits<hearth::furnace::parcels> {
     static index particle_count(const cloud& c) { return c.bed.size(); }
     static std::array<double, 3> get(quantity::position, const cloud& c, index i) {
         const auto& x = c.bed.spheres()[static_cast<std::size_t>(i)].centre;
-        return {x.x, x.y, x.z};
+        return {x.x, x.y, std::clamp(x.z, 1e-6 * c.top, (1 - 1e-6) * c.top)};
     }
     static scalar get(quantity::radius, const cloud& c, index i) { return c.bed.spheres()[static_cast<std::size_t>(i)].radius; }
     static scalar get(quantity::temperature, const cloud& c, index i) { return c.fields.temperature[static_cast<std::size_t>(i)]; }

@@ -178,7 +178,12 @@ plan foresee(const settings& scene) {
     if (scene.bed.packing == bed_packing::dem) {
         const dem::material body{scene.bed.softened_modulus, scene.bed.poisson_ratio};
         const double step = 0.2 * dem::rayleigh_time(0.5 * d * scene.bed.coarse_graining, scene.particles.density, body);
-        result.seconds += 1e-7 * parcels * (std::sqrt(0.8 * height / 9.81) + 0.5) / step;
+        double time = std::sqrt(0.8 * height / 9.81) + 0.5;  // to fall and to rest
+        if (scene.bed.motion == bed_motion::recorded) {
+            const double speed = scene.particles.mass_flow * height / std::max(solid * scene.particles.density, 1e-300);
+            time += (1.5 + scene.bed.recorded_diameters) * d * scene.bed.coarse_graining / (speed * scene.bed.recording_acceleration_factor);
+        }
+        result.seconds += 1e-7 * parcels * time / step;
     }
     const auto leaves = [&](bool out, const char* what, const char* because, const char* saves) {
         if (out) result.left_out.push_back({what, because, saves});
@@ -186,7 +191,8 @@ plan foresee(const settings& scene) {
     leaves(!scene.physics.radiation, "radiation", "physics.radiation", "the list of neighbours and half of its solution");
     leaves(!scene.physics.conduction, "conduction through contacts", "physics.conduction", "the list of contacts");
     leaves(scene.bed.packing == bed_packing::lattice, "DEM", "bed.packing", "the fill phase");
-    leaves(true, "shear of the bed, which sinks as a body", "this program", "DEM while it sinks");
+    leaves(scene.bed.motion == bed_motion::plug, "shear of the bed, which sinks as a body", "bed.motion", "DEM while it sinks");
+    leaves(scene.bed.motion == bed_motion::frozen, "motion of the bed", "bed.motion", "DEM after the filling");
     const burning how = scene.physics.combustion;
     leaves(how == burning::none, "combustion: the burners blow air", "physics.combustion", "all species");
     leaves(how == burning::mixed_is_burnt || how == burning::equilibrium, "finite-rate chemistry", "physics.combustion",

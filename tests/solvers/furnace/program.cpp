@@ -49,7 +49,7 @@ fs::path fresh(const std::string& name) {
 fs::path small_scene(const fs::path& folder) {
     std::ofstream(folder / "small.toml") << "title = \"small\"\n"
                                             "shaft.height_m = 3\nshaft.hopper_height_m = 0\nburners.height_m = 2\n"
-                                            "bed.packing = \"dem\"\nbed.motion = \"plug\"\nbed.coarse_graining = 10\n"
+                                            "bed.packing = \"dem\"\nbed.motion = \"recorded\"\nbed.coarse_graining = 10\n"
                                             "physics.combustion = \"mixed_is_burnt\"\n"
                                             "mesh.cells_across = 4\nmesh.axial_size_m = 0.3\nmesh.axial_size_bottom_m = 0.15\n"
                                             "mesh.axial_size_burners_m = 0.15\n"

@@ -14,7 +14,7 @@ TEST_CASE("restart: before and after every phase the state holds all that the ne
     scene.shaft.hopper_height = 0;
     scene.burners.height = 2;
     scene.bed.packing = bed_packing::dem;
-    scene.bed.motion = bed_motion::plug;
+    scene.bed.motion = bed_motion::recorded;
     scene.bed.coarse_graining = 10;
     scene.physics.combustion = burning::mixed_is_burnt;
     scene.mesh.across = 4;

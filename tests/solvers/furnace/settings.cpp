@@ -67,9 +67,9 @@ TEST_CASE("scene: every mistake is told with its place, its value and what is al
     CHECK(complaint("[voidage]\nthreshold = 1.5") == "my.toml:2: voidage.threshold is 1.5, allowed: 0.1 to 1");
     CHECK(complaint("[voidage]\nthreshold = nan") == "my.toml:2: voidage.threshold is nan, allowed: 0.1 to 1");
     CHECK(complaint("[voidage]\nthreshold = \"x\"") == "my.toml:2: voidage.threshold is not a number");
-    CHECK(complaint("[bed]\nmotion = \"fast\"") == "my.toml:2: bed.motion is \"fast\", allowed: plug");
+    CHECK(complaint("[bed]\nmotion = \"fast\"") == "my.toml:2: bed.motion is \"fast\", allowed: recorded, plug, frozen");
+    CHECK(complaint("[bed]\npacking = \"lattice\"").find("bed.motion is \"recorded\", allowed with bed.packing = \"dem\"") != std::string::npos);
     // Nothing is taken that the program does not do.
-    CHECK(complaint("[bed]\nmotion = \"recorded\"") == "my.toml:2: bed.motion is \"recorded\", allowed: plug");
     CHECK(complaint("[physics]\ncombustion = \"magic\"") ==
           "my.toml:2: physics.combustion is \"magic\", allowed: none, mixed_is_burnt, equilibrium, jones_lindstedt");
     CHECK(complaint("[voidage]\nmethod = \"smoother\"") == "my.toml:2: voidage.method is \"smoother\", allowed: filtered, vfs");
@@ -95,6 +95,7 @@ TEST_CASE("scene: --set changes one key, or nothing") {
     settings scene;
     set_key(scene, "mesh.cells_across=40");
     CHECK(scene.mesh.across == 40);
+    set_key(scene, "bed.motion=plug");
     set_key(scene, "bed.packing=\"lattice\"");
     CHECK(scene.bed.packing == bed_packing::lattice);
     set_key(scene, "bed.packing=dem");  // as a shell hands it over
@@ -110,6 +111,7 @@ TEST_CASE("scene: its document reads back as the same scene, and its hash tells 
     settings scene;
     scene.particles.mass_flow = 0.1234567890123;
     scene.bed.packing = bed_packing::lattice;
+    scene.bed.motion = bed_motion::plug;
     scene.time.acceleration_factor = 50;
     scene.shaft.zones = {{0, 2, 1, 310}, {2, 9, 2.5, 333}};
     const settings again = parse_scene(document(scene));

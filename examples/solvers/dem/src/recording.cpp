@@ -21,6 +21,7 @@ using detail::check;
 namespace {
 
 constexpr std::uint64_t magic = 0x3130'6472'6f63'6572u;  // what it is, and its version
+constexpr std::uint64_t magic_of_recorder = 0x3130'7372'6463'6572u;
 
 /// Where the slots of a frame were in the one before, or passage::fed; and the places in that whose slots are gone.
 void follow(const recording::frame& before, const recording::frame& after, std::vector<index>& origin,
@@ -76,20 +77,31 @@ recorder::recorder(const recording::settings& s) : settings_(s) {
     check(s.size_weight >= 0 && std::isfinite(s.size_weight), "size_weight", s.size_weight, "finite and >= 0 [-]");
 }
 
-bool recorder::observe(const bed& b) {
+void recorder::meet(const bed& b) {
     check(!b.is_shared(), "number of ranks of the bed", b.among().size(), "1: motion is recorded on one rank");
     const std::vector<int> contacts = b.contact_counts();
-    std::vector<std::pair<std::uint32_t, index>> seen;
     std::vector<index> arrived;
+    for (index i = 0; i < b.size(); ++i)
+        if (contacts[static_cast<std::size_t>(i)] >= 2 && slots_.count(b.ids()[i]) == 0) arrived.push_back(i);
+    std::sort(arrived.begin(), arrived.end(), [&](index i, index j) { return b.ids()[i] < b.ids()[j]; });
+    for (const index i : arrived) {
+        slots_.emplace(b.ids()[i], static_cast<std::uint32_t>(record_.radii_.size()));
+        record_.radii_.push_back(b.spheres()[i].radius);
+        record_.masses_.push_back(b.mass(i));
+    }
+}
+
+bool recorder::observe(const bed& b) {
+    meet(b);
+    std::vector<std::pair<std::uint32_t, index>> seen;
     for (index i = 0; i < b.size(); ++i) {
         const auto known = slots_.find(b.ids()[i]);
         if (known != slots_.end()) seen.emplace_back(known->second, i);
-        else if (contacts[static_cast<std::size_t>(i)] >= 2) arrived.push_back(i);
     }
+    std::sort(seen.begin(), seen.end());
     double gone = 0;
     if (!record_.frames_.empty()) {
         std::size_t k = 0;
-        std::sort(seen.begin(), seen.end());
         for (const std::uint32_t slot : record_.frames_.back().slots) {
             if (k < seen.size() && seen[k].first == slot) ++k;
             else gone += record_.masses_[slot];
@@ -97,14 +109,6 @@ bool recorder::observe(const bed& b) {
         if (gone == 0) return false;
     }
     mass_left_ += gone;
-    std::sort(arrived.begin(), arrived.end(), [&](index i, index j) { return b.ids()[i] < b.ids()[j]; });
-    for (const index i : arrived) {
-        const auto slot = static_cast<std::uint32_t>(record_.radii_.size());
-        slots_.emplace(b.ids()[i], slot);
-        record_.radii_.push_back(b.spheres()[i].radius);
-        record_.masses_.push_back(b.mass(i));
-        seen.emplace_back(slot, i);
-    }
     recording::frame f;
     for (const auto& [slot, i] : seen) {
         f.slots.push_back(slot);
@@ -128,6 +132,39 @@ recording recorder::finish() const {
     done.join(settings_.size_weight);
     done.average(settings_);
     return done;
+}
+
+std::vector<char> recorder::state() const {
+    std::vector<std::int64_t> ids;
+    std::vector<std::uint32_t> slots;
+    for (const auto& [id, slot] : slots_) {
+        ids.push_back(id);
+        slots.push_back(slot);
+    }
+    detail::writer archive;
+    archive(magic_of_recorder);
+    archive(record_.bytes());
+    archive(ids);
+    archive(slots);
+    archive(mass_left_);
+    archive(detail::checksum(archive.out.data(), archive.out.size()));
+    return std::move(archive.out);
+}
+
+void recorder::restore(const std::vector<char>& state) {
+    detail::reader archive = detail::opened(state, magic_of_recorder, "a recorder");
+    recorder read(settings_);
+    std::vector<char> record;
+    std::vector<std::int64_t> ids;
+    std::vector<std::uint32_t> slots;
+    archive(record);
+    archive(ids);
+    archive(slots);
+    archive(read.mass_left_);
+    read.record_ = recording::read(record);
+    if (slots.size() != ids.size()) throw state_error("hearth: the state of a recorder has not a slot for each particle");
+    for (std::size_t k = 0; k < ids.size(); ++k) read.slots_.emplace(ids[k], slots[k]);
+    *this = std::move(read);
 }
 
 /// Of the last frame the lowest leave if there are too many; of the first the highest are fed if there are too few.

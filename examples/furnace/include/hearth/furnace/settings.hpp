@@ -37,7 +37,7 @@ struct number_or_auto {
     bool automatic = false;
 };
 
-enum class bed_motion { plug };
+enum class bed_motion { recorded, plug, frozen };
 enum class burning { none, mixed_is_burnt, equilibrium, jones_lindstedt };
 enum class gas_mixing { at_once, bed };
 enum class voidage_method { filtered, vfs };
@@ -90,7 +90,7 @@ struct settings {
 
     struct {
         bed_packing packing = bed_packing::dem;
-        bed_motion motion = bed_motion::plug;
+        bed_motion motion = bed_motion::recorded;
         double coarse_graining = 4;
         double void_fraction = 0.418;      ///< of a bed that is not packed by DEM
         double softened_modulus = 3.77e8;
@@ -98,6 +98,8 @@ struct settings {
         double poisson_ratio = 0.26;
         double friction = 0.52;
         double restitution = 0.3;
+        double recorded_diameters = 3;     ///< by which the bed sinks while DEM is recorded
+        double recording_acceleration_factor = 200;  ///< Gamma of the recorded motion
     } bed;
 
     struct {

@@ -83,14 +83,24 @@ class recorder {
   public:
     /// Throws bad_value.
     explicit recorder(const recording::settings& s);
-    /// Keeps a frame if anybody has left the bed since the last one; call it after each update of the outflow.  Particles
-    /// count from when they rest on two others, or on one and a wall.  Throws bad_value for a bed on several ranks.
+    /// Counts those in who rest on two others, or on one and a wall; from then on they are of the bed, even where they touch
+    /// nobody for a while.  Call it now and then before the first frame: a tenth of a bed that moves touches nobody.  Throws
+    /// bad_value for a bed on several ranks.
+    void meet(const bed& b);
+    /// Keeps a frame if anybody has left the bed since the last one; call it after each update of the outflow.  Meets the
+    /// bed first.
     bool observe(const bed& b);
     /// Mass that has left the bed since the first frame [kg].
     double mass_left() const { return mass_left_; }
     /// The recording, which ends where the number of particles is closest to that of the first frame, in its later half.
     /// Throws bad_value where nothing left, or where the number has changed by more than 5 %.
     recording finish() const;
+
+    /// All that has been seen, with a checksum: a recorder that restores it goes on as this one.  In the byte order of this
+    /// machine.
+    std::vector<char> state() const;
+    /// Into a recorder of the same settings.  Throws state_error with the recorder as it was.
+    void restore(const std::vector<char>& state);
 
   private:
     recording::settings settings_;
