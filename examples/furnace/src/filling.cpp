@@ -225,9 +225,13 @@ double filling::sinking(double diameters) const {
 
 double filling::level() const {
     if (now_ != stage::falling) return scene_.shaft.height;
-    double top = 0;
-    for (dem::index i = 0; i < bed_.size(); ++i) top = std::max(top, bed_.spheres()[i].centre.z);
-    return std::min(top, scene_.shaft.height);
+    double settled = 0;
+    const std::vector<int> contacts = bed_.contact_counts();
+    for (dem::index i = 0; i < bed_.size(); ++i) {
+        if (contacts[static_cast<std::size_t>(i)] >= 3) settled += volume(bed_.spheres()[i].radius);
+    }
+    const double section = pi / 4 * scene_.shaft.diameter * scene_.shaft.diameter;
+    return std::min(settled / (0.59 * section), scene_.shaft.height);
 }
 
 double filling::share() const {

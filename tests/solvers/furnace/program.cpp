@@ -346,7 +346,7 @@ TEST_CASE("program: a full disk is told, and keeps the checkpoints that are ther
     const std::string scene = small_scene(folder);
     const ending end = run(folder, {scene, "--output", results}, [&](pid_t child) {
         wait_for(results / "checkpoint_0002.h5");
-        const rlimit full{20000, 20000};  // no file can grow beyond; a checkpoint takes more than 100 kB
+        const rlimit full{90000, 90000};  // no file can grow beyond, what is told neither; a checkpoint takes more than 100 kB
         prlimit(child, RLIMIT_FSIZE, &full, nullptr);
     });
     CHECK(end.code == 3);

@@ -275,7 +275,10 @@ std::vector<char> recording::bytes() const {
     archive(field_.rings);
     archive(field_.layers);
     archive(field_.bins);
-    archive(seam_);
+    archive(seam_.mean_step);  // one by one: the structure has gaps, whose bits nobody sets
+    archive(seam_.longest_step);
+    archive(seam_.size_misfit);
+    archive(seam_.surplus);
     archive(detail::checksum(archive.out.data(), archive.out.size()));
     return std::move(archive.out);
 }
@@ -298,7 +301,10 @@ recording recording::read(const std::vector<char>& bytes) {
     archive(r.field_.rings);
     archive(r.field_.layers);
     archive(r.field_.bins);
-    archive(r.seam_);
+    archive(r.seam_.mean_step);
+    archive(r.seam_.longest_step);
+    archive(r.seam_.size_misfit);
+    archive(r.seam_.surplus);
     return r;
 }
 
