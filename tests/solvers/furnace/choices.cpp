@@ -41,6 +41,7 @@ TEST_CASE("Gamma: auto is what moves the bed quasi-statically, or 1 where heat i
     settings paper;
     paper.bed.coarse_graining = 1;
     paper.bed.packing = bed_packing::lattice;
+    paper.bed.motion = bed_motion::plug;
     paper.mesh.axial_size = paper.mesh.axial_size_bottom = paper.mesh.axial_size_burners = 0.5;
     paper.mesh.across = 4;
     set_key(paper, "time.acceleration_factor=auto");
