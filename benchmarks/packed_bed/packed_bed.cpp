@@ -14,35 +14,14 @@
 #include <benchmark/benchmark.h>
 
 #include <hearth/closure/eisfeld_schnitzlein.hpp>
-#include <hearth/voidage/filtered_fraction.hpp>
-#include <hearth/voidage/vfs.hpp>
 
-#include "rivals/voidage.hpp"
+#include "packed_bed/methods.hpp"
 #include "support/blown_bed.hpp"
 #include "support/counters.hpp"
 
 namespace {
 
 using namespace hearth::test;
-
-/// The solid fraction of every cell by one method; what a method leaves above 0.99 is cut off, as a gas solver must.
-template <class Mesh>
-std::vector<double> solid_fraction(const std::string& method, const Mesh& mesh, const packing& spheres) {
-    std::vector<double> field(static_cast<std::size_t>(hearth::mesh_traits<Mesh>::cell_count(mesh)));
-    if (method == "filtered") {
-        benchmark::DoNotOptimize(hearth::filtered_solid_fraction(mesh, spheres, field).maximum);
-        return field;
-    }
-    const hearth::cell_graph<> graph(mesh);
-    const hearth::cell_locator<Mesh> locator(mesh, graph);
-    if (method == "centre, clamped") return rivals::clamped(locator, spheres, hearth::deposit::centre{}, 0.9);
-    hearth::deposit_solid_fraction(locator, spheres, field, hearth::deposit::centre{});
-    const bool paper = method == "VFS of the paper";
-    const hearth::vfs_settings settings{0.9, paper ? hearth::vfs_variant::paper : hearth::vfs_variant::completed};
-    benchmark::DoNotOptimize(hearth::volume_fraction_smoother(graph, settings).smooth(field).sweeps);
-    for (double& fraction : field) fraction = std::min(fraction, 0.99);
-    return field;
-}
 
 void tell(benchmark::State& state, const hearth::gas::mesh& mesh, const blown& result, double found, double expected) {
     bench::set_error(state, std::abs(found / expected - 1));
@@ -61,7 +40,7 @@ void in_wide_bed(benchmark::State& state, const std::string& method, double d_dx
     const hearth::gas::mesh mesh = bed.mesh(d_dx);
     blown result;
     for (auto _ : state) {
-        result = blow(mesh, solid_fraction(method, lattice, bed.spheres), wide_bed::diameter, air, hearth::gas::slip(), 0, 0,
+        result = blow(mesh, bench::solid_fraction(method, lattice, bed.spheres), wide_bed::diameter, air, hearth::gas::slip(), 0, 0,
                       150);
     }
     tell(state, mesh, result, result.pressure_drop, profile.pressure_drop(air, wide_bed::diameter));
@@ -78,7 +57,7 @@ void in_tube(benchmark::State& state, const std::string& method, double d_dx) {
     const hearth::gas::mesh mesh = bed.mesh(d_dx);
     blown result;
     for (auto _ : state) {
-        result = blow(mesh, solid_fraction(method, mesh, bed.spheres), tube_bed::diameter, air, hearth::gas::wall(),
+        result = blow(mesh, bench::solid_fraction(method, mesh, bed.spheres), tube_bed::diameter, air, hearth::gas::wall(),
                       bed.from(), bed.to(), 150);
     }
     tell(state, mesh, result, result.gradient, expected);

@@ -116,9 +116,10 @@ struct wide_bed {
 
 /// Equal spheres that settled in a tube under gravity: 145 mm of them, and 155 mm free.
 struct tube_bed {
-    static constexpr double diameter = 0.014, level = 0.145, height = 0.3;  // [m]
+    static constexpr double diameter = 0.014, height = 0.3;  // [m]
 
-    explicit tube_bed(double tube_to_particle) : radius(0.5 * tube_to_particle * diameter) {
+    explicit tube_bed(double tube_to_particle, double level_ = 0.145)
+        : radius(0.5 * tube_to_particle * diameter), level(level_) {
         dem::bed_settings settings;
         settings.body.youngs_modulus = 1e7;  // glass, softened: overlaps stay below 0.1 %
         settings.contact.damping = dem::damping_of_restitution(0.6);
@@ -149,7 +150,7 @@ struct tube_bed {
         return void_profile(spheres, 3.14159265358979323846 * radius * radius, height, 2000).mean(from(), to());
     }
 
-    double radius, top = 0;  // [m]
+    double radius, level, top = 0;  // [m]
     packing spheres;
 };
 
@@ -161,7 +162,8 @@ struct blown {
 
 /// Steady flow of cold air upwards through a bed.  `sides`: slip for a wide bed, walls for a tube.
 inline blown blow(const gas::mesh& mesh, const std::vector<double>& solid_fraction, double diameter, const blown_gas& air,
-                  const gas::patch_condition& sides, double from = 0, double to = 0, int iterations = 300) {
+                  const gas::patch_condition& sides, double from = 0, double to = 0, int iterations = 300,
+                  const gas::drag_function& drag = gas::make_drag(closure::ergun{})) {
     auto model = std::make_shared<gas::simple_gas>();
     model->constant_density = air.density;
     model->sutherland = 0;
@@ -172,6 +174,7 @@ inline blown blow(const gas::mesh& mesh, const std::vector<double>& solid_fracti
     settings.turbulence = sides.type == gas::patch_condition::kind::wall;
     settings.tolerance = 1e-3;  // the pressure drop then stands still to a tenth of a per cent
     settings.max_iterations = iterations;
+    settings.drag = drag;
     gas::solver solver(mesh, model, settings);
     const bool is_tube = settings.turbulence;
     const gas::patch &bottom = mesh.find_patch(is_tube ? "bottom" : "z_min"), &top = mesh.find_patch(is_tube ? "top" : "z_max");

@@ -1,69 +1,25 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-#include <memory>
-
 #include <doctest/doctest.h>
 
-#include <hearth/gas/generate.hpp>
-#include <hearth/gas/solver.hpp>
+#include "channel.hpp"
 
 using namespace hearth::gas;
-
-namespace {
-
-solver_settings cold() {
-    solver_settings s;
-    s.energy = false;
-    s.gravity = {0, 0, 0};
-    s.flow.relaxation = 0.5;
-    s.flow.momentum_sweeps = 8;  // cells far narrower than long: two sweeps carry friction across the channel slowly
-    s.max_iterations = 2500;
-    return s;
-}
-
-std::shared_ptr<simple_gas> incompressible() {
-    auto air = std::make_shared<simple_gas>();
-    air->constant_density = 1.2;
-    air->sutherland = 0;
-    air->viscosity_reference = 1.8e-5;
-    return air;
-}
-
-}  // namespace
+using namespace hearth::test;
 
 TEST_CASE("turbulence: a channel follows the log law and Dean's friction") {
-    // half channel of Re 67000 on the height, 60 heights long; the profile 2 cells before the end
-    const double half = 0.05, speed = 10, length = 60 * 2 * half, density = 1.2, viscosity = 1.8e-5;
     for (const int n : {12, 20}) {
-        const mesh m(box(graded(length, 80, 4), graded(half, n), graded(0.01, 1)));
-        solver gas(m, incompressible(), cold());
-        for (const char* name : {"z_min", "z_max", "y_max"}) gas.set(name, slip());
-        gas.set("y_min", wall());
-        stream in;
-        in.turbulence_length = 0.005;
-        gas.set("x_min", mass_flow_inlet(density * speed * half * 0.01, in));
-        gas.set("x_max", pressure_outlet(101325));
-        gas.initialise(300);
-        const report r = gas.steady();
-        CAPTURE(n); CAPTURE(r.reason);
-        CHECK(r.converged);
-        CHECK(r.mass.error < 1e-10);
-        double gradient = 0;
-        for (int j = 0; j < n; ++j) gradient -= gas.gas.flow.pressure_gradient[76 + 80 * j].x / n;
-        const double stress = gradient * half, friction_velocity = std::sqrt(stress / density);
-        // Dean (1978): Cf = 0.073 Re^-0.25, data within 5 %; standard k-epsilon is known to lie some percent below
-        const double friction = stress / (0.5 * density * speed * speed);
-        const double dean = 0.073 * std::pow(density * speed * 2 * half / viscosity, -0.25);
-        MESSAGE("Cf " << friction << ", Dean " << dean);
-        CHECK(friction == doctest::Approx(dean).epsilon(0.10));
-        for (int j = 0; j < n; ++j) {
-            const int c = 76 + 80 * j;
-            const double y_plus = density * friction_velocity * m.centre[c].y / viscosity;
-            const double log_law = std::log(9.8 * y_plus) / 0.41;
-            CAPTURE(y_plus);
+        const channel flow(n);
+        CAPTURE(n); CAPTURE(flow.report.reason);
+        CHECK(flow.report.converged);
+        CHECK(flow.report.mass.error < 1e-10);
+        MESSAGE("Cf " << flow.friction << ", Dean " << channel::dean());
+        // standard k-epsilon is known to lie some percent below
+        CHECK(flow.friction == doctest::Approx(channel::dean()).epsilon(0.10));
+        for (const channel::point& p : flow.profile) {
+            CAPTURE(p.y_plus);
             // the wake lifts the profile in the outer part
-            const double band = m.centre[c].y < 0.3 * half ? 0.05 : 0.08;
-            CHECK(gas.gas.flow.velocity[c].x / friction_velocity == doctest::Approx(log_law).epsilon(band));
+            const double band = p.y < 0.3 * channel::half ? 0.05 : 0.08;
+            CHECK(p.u_plus == doctest::Approx(p.log_law).epsilon(band));
         }
     }
 }
