@@ -4,32 +4,8 @@
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("svg")
-import matplotlib.pyplot as plt
-
-plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "svg.hashsalt": "hearth", "svg.fonttype": "none",
-                     "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False})
-BLUE, RED, GREEN, PINK, ORANGE, GREY = "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#777777"
-
-
-def table(path):
-    lines = [line.split() for line in path.read_text().splitlines() if not line.startswith("#")]
-    words = lines[0]
-    return [dict(zip(words, (word if not number(word) else float(word) for word in line))) for line in lines[1:]]
-
-
-def number(word):
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return True
-
-
-def column(rows, name):
-    return [row[name] for row in rows]
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "support"))
+from tables import BLUE, GREEN, GREY, ORANGE, RED, column, plt, save, table
 
 
 def conductivity(tables, to):
@@ -58,7 +34,7 @@ def conductivity(tables, to):
     right.set(xlabel="solid fraction [-]", ylabel="exchange factor [-]", ylim=(0.9, 1.15),
               title="Radiation alone")
     right.legend(fontsize=8)
-    figure.savefig(to, metadata={"Date": None})
+    save(figure, to)
 
 
 def accuracy(tables, to):
@@ -79,7 +55,7 @@ def accuracy(tables, to):
         axis.margins(x=0.15)
     axes[0].set_ylabel("difference to the reference [%]")
     axes[0].legend(fontsize=7)
-    figure.savefig(to, metadata={"Date": None})
+    save(figure, to)
 
 
 if __name__ == "__main__":

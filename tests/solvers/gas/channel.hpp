@@ -32,7 +32,9 @@ inline std::shared_ptr<gas::simple_gas> incompressible() {
 /// Half a channel of Re 67000 on its height, 60 heights long; the profile two cells before the end.
 struct channel {
     static constexpr double half = 0.05, speed = 10, length = 60 * 2 * half, density = 1.2, viscosity = 1.8e-5;
-    struct point { double y, y_plus, u_plus, log_law; };  ///< [m], then in wall units
+    struct point {
+        double y, y_plus, u_plus, log_law;
+    };  ///< [m], then in wall units
 
     explicit channel(int n) {
         using namespace gas;
@@ -53,7 +55,8 @@ struct channel {
         for (int j = 0; j < n; ++j) {
             const int c = 76 + 80 * j;
             const double y = m.centre[c].y, y_plus = density * friction_velocity * y / viscosity;
-            profile.push_back({y, y_plus, flow.gas.flow.velocity[c].x / friction_velocity, std::log(9.8 * y_plus) / 0.41});
+            profile.push_back(
+                {y, y_plus, flow.gas.flow.velocity[c].x / friction_velocity, std::log(9.8 * y_plus) / 0.41});
         }
     }
 

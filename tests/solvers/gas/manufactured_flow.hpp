@@ -13,7 +13,8 @@ using namespace hearth::gas;
 
 /// A medium that rests, without friction, with the fields that a flow_medium only looks into.
 struct resting_medium : flow_medium {
-    resting_medium(const mesh& m, double rho) : densities(m.cells(), rho), voids(m.cells(), 1.0), forces(m.cells()), rest(m.cells()) {
+    resting_medium(const mesh& m, double rho)
+        : densities(m.cells(), rho), voids(m.cells(), 1.0), forces(m.cells()), rest(m.cells()) {
         density = densities;
         void_fraction = voids;
         momentum_source = forces;
@@ -35,7 +36,10 @@ inline flow_boundary slip_everywhere(const mesh& m) {
     return b;
 }
 
-struct errors { double velocity, pressure; int iterations; };
+struct errors {
+    double velocity, pressure;
+    int iterations;
+};
 
 /// Flow through a bed of smoothly varying void fraction with drag, friction and inertia, every term of order one.
 inline errors solve_flow(const mesh& m, double reynolds) {
@@ -48,7 +52,7 @@ inline errors solve_flow(const mesh& m, double reynolds) {
     };
     const function pressure = [](const vector3& x) { return std::cos(pi * x.x) * std::sin(pi * x.y); };
     const function w[2] = {[&](const vector3& x) { return derivative(stream, x, 1); },
-                                         [&](const vector3& x) { return -derivative(stream, x, 0); }};
+                           [&](const vector3& x) { return -derivative(stream, x, 0); }};
     resting_medium medium(m, density);
     flow_boundary boundary = slip_everywhere(m);
     for (int c = 0; c < m.cells(); ++c) {
@@ -81,7 +85,8 @@ inline errors solve_flow(const mesh& m, double reynolds) {
             const vector3 from = corner(i), to = corner((i + 1) % 4);
             if (from.z > 1e-9 || to.z > 1e-9) continue;
             const double turn = cross(to - from, {0, 0, 1}).x * s.x + cross(to - from, {0, 0, 1}).y * s.y;
-            boundary.mass_flux[b] = (turn > 0 ? 1 : -1) * density * (stream(to) - stream(from)) * norm(s) / norm(to - from);
+            boundary.mass_flux[b] =
+                (turn > 0 ? 1 : -1) * density * (stream(to) - stream(from)) * norm(s) / norm(to - from);
         }
     }
     const pattern p(m);
@@ -99,9 +104,13 @@ inline errors solve_flow(const mesh& m, double reynolds) {
     int i = 0;
     for (double change = 1; change > 1e-8 && i < 800; ++i)
         change = solver.iterate(state, medium, boundary, {}, settings).velocity_change;
-    return {std::hypot(error(m, [&](int c) { return state.velocity[c].x; }, w[0], false),
-                       error(m, [&](int c) { return state.velocity[c].y; }, w[1], false)),
-            error(m, [&](int c) { return state.pressure[c]; }, pressure, true, true), i};
+    return {std::hypot(error(
+                           m, [&](int c) { return state.velocity[c].x; }, w[0], false),
+                       error(
+                           m, [&](int c) { return state.velocity[c].y; }, w[1], false)),
+            error(
+                m, [&](int c) { return state.pressure[c]; }, pressure, true, true),
+            i};
 }
 
 }  // namespace manufactured
