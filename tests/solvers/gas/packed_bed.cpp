@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fig. 5 of Spijker et al. (2023) by our own solvers; benchmarks/packed_bed draws it with the other methods beside ours.
+#include <cmath>
+
 #include <doctest/doctest.h>
 
 #include <hearth/closure/eisfeld_schnitzlein.hpp>
@@ -43,21 +45,29 @@ TEST_CASE("packed bed: the pressure gradient in a tube agrees with Eisfeld and S
     CHECK(bed.top == doctest::Approx(bed.level).epsilon(0.25));
     const blown_gas air;
     const double e = bed.void_fraction();
-    const double expected =
-        hearth::closure::pressure_gradient(hearth::closure::eisfeld_schnitzlein(tube_to_particle),
-                                           hearth::closure::bed_flow<double>{e, air.speed / e, air.density, air.viscosity,
-                                                                             tube_bed::diameter});
+    const hearth::closure::eisfeld_schnitzlein walled(tube_to_particle);
+    const double expected = hearth::closure::pressure_gradient(
+        walled, hearth::closure::bed_flow<double>{e, air.speed / e, air.density, air.viscosity, tube_bed::diameter});
     for (const double d_dx : {1.0, 2.0}) {
         CAPTURE(d_dx);
         const hearth::gas::mesh mesh = bed.mesh(d_dx);
         std::vector<double> solid_fraction(static_cast<std::size_t>(mesh.cells()));
         const auto made = hearth::filtered_solid_fraction(mesh, bed.spheres, solid_fraction);
         CHECK(made.maximum <= 0.74);
-        const blown result =
-            blow(mesh, solid_fraction, tube_bed::diameter, air, hearth::gas::wall(), bed.from(), bed.to());
-        CAPTURE(result.report.reason);
-        CHECK(result.report.converged);
-        CHECK(result.gradient == doctest::Approx(expected).epsilon(0.15));  // the scatter of their data is 11 to 16 %
+        const auto over_expected = [&](const hearth::gas::drag_function& drag) {
+            const blown result = blow(mesh, solid_fraction, tube_bed::diameter, air, hearth::gas::wall(), bed.from(), bed.to(),
+                                      300, drag);
+            CAPTURE(result.report.reason);
+            CHECK(result.report.converged);
+            return result.gradient / expected;
+        };
+        // Ergun's equation knows no wall: 10 to 16 % high, by packing (builds of other rounding pack otherwise), at their
+        // scatter of 11 to 16 %
+        const double by_ergun = over_expected(hearth::gas::make_drag(hearth::closure::ergun{}));
+        const double by_walled = over_expected(hearth::gas::make_drag(walled));
+        CAPTURE(by_ergun); CAPTURE(by_walled);
+        CHECK(std::abs(by_ergun - 1) < 0.17);
+        CHECK(std::abs(by_walled - 1) < 0.05);
     }
 }
 
@@ -68,7 +78,7 @@ TEST_CASE("packed bed: spheres that the mesh resolves have the drag of Zick and 
     struct array { double pitch, drag; };
     for (const array& a : {array{1.61199, 4.292}, array{1.15144, 15.4}, array{1, 42.1}}) {
         CAPTURE(a.pitch);
-        CHECK(simple_cubic_drag(a.pitch, 16) == doctest::Approx(a.drag).epsilon(0.045));
+        CHECK(simple_cubic_drag(a.pitch, 16) == doctest::Approx(a.drag).epsilon(0.045).scale(0));
     }
 }
 
@@ -83,6 +93,6 @@ TEST_CASE("packed bed: a resolved bed in a tube has the friction of Eisfeld and 
     resolved_tube tube(bed, 8);
     const resolved_tube::answer found = tube.blow(air.speed, 1e-3);
     CHECK(found.change < 1e-3);
-    CHECK(found.gradient == doctest::Approx(expected).epsilon(0.16));  // the scatter of their data is 11 to 16 %
-    CHECK(found.gradient > 1.3 * air.ergun(e, tube_bed::diameter));    // the wall's share at this ratio
+    CHECK(std::abs(found.gradient / expected - 1) < 0.16);           // the scatter of their data is 11 to 16 %
+    CHECK(found.gradient > 1.3 * air.ergun(e, tube_bed::diameter));  // the wall's share at this ratio
 }
