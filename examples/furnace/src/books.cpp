@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 
 #include "parts.hpp"
 
@@ -46,6 +47,15 @@ void furnace::parts::judge() {
                 std::abs(outlet_temperature() - outlet_temperature(w)) < drift;
     if (couplings < scene.time.couplings) return;
     now = converged || couplings >= 2 * scene.time.couplings ? phase::report : phase::converge;
+}
+
+timings furnace::parts::slowest() const {
+    timings all = seconds;
+    all.each([&](const char*, auto& time) {
+        if constexpr (std::is_arithmetic_v<std::decay_t<decltype(time)>>) time = among.max(time);
+        else for (double& t : time) t = among.max(t);
+    });
+    return all;
 }
 
 }  // namespace hearth::furnace

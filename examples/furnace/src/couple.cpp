@@ -36,12 +36,14 @@ constexpr double hot = 2130;  // product is dead burnt above [K]
 
 }  // namespace
 
-furnace::parts::parts(const settings& given)
-    : scene((check(given), given)),
+furnace::parts::parts(const settings& given, ranks given_ranks)
+    : among(std::move(given_ranks)),
+      scene((check(given), given)),
       profile(solve_shaft_profile(scene)),
       coarse_graining(scene.bed.coarse_graining),
-      shaft(scene, scene.bed.coarse_graining * sauter_diameter(scene)),
+      shaft(scene, scene.bed.coarse_graining * sauter_diameter(scene), among),
       rings(scene, scene.shaft.height, std::max(0.1, 1.5 * scene.bed.coarse_graining * sauter_diameter(scene))),
+      share(among),
       clock((scene.time.acceleration_factor.value = acceleration_of(scene, profile))),
       gas_terms(gas_convection(closure::gunn{})),
       stone_terms(make_radiation(scene), make_conduction(scene)),

@@ -50,18 +50,7 @@ void furnace::parts::each_part(Part&& part) {
     gas_part("heat_conductance", shaft.solver.bed.heat_conductance);
     gas_part("heat_source", shaft.solver.bed.heat_source);
     shaft.solver.each_memory(gas_part);
-    auto& s = seconds;
-    const auto time_part = under("seconds");
-    time_part("dem", s.dem);
-    time_part("motion", s.motion);
-    time_part("voidage", s.voidage);
-    time_part("transfer", s.transfer);
-    time_part("gas", s.gas);
-    time_part("convection", s.convection);
-    time_part("links", s.links);
-    time_part("radiation", s.radiation);
-    time_part("all", s.all);
-    time_part("phases", s.phases);
+    seconds.each(under("seconds"));
 }
 
 saved_state furnace::parts::save() {
@@ -123,7 +112,7 @@ void furnace::parts::restore(const saved_state& saved) {
     if (now != phase::ignite) judge();
 }
 
-furnace::furnace(const settings& scene) : parts_(std::make_unique<parts>(scene)) {}
+furnace::furnace(const settings& scene, const ranks& among) : parts_(std::make_unique<parts>(scene, among)) {}
 furnace::~furnace() = default;
 furnace::furnace(furnace&&) noexcept = default;
 

@@ -26,7 +26,8 @@ std::vector<double> thermal_nitric_oxide_of(const shaft_gas& shaft) {
         out[static_cast<std::size_t>(from)] += std::abs(flux);
     }
     for (int f = m.internal_faces(); f < m.faces(); ++f) out[static_cast<std::size_t>(m.owner[f])] += std::max(0.0, gas.flow.mass_flux[f]);
-    std::vector<int> upwards(cells);  // gas rises, so few sweeps in this order settle it
+    const auto own = static_cast<std::size_t>(m.owned_cells());
+    std::vector<int> upwards(own);  // gas rises, so few sweeps in this order settle it
     std::iota(upwards.begin(), upwards.end(), 0);
     std::sort(upwards.begin(), upwards.end(), [&](int a, int b) { return m.centre[a].z != m.centre[b].z ? m.centre[a].z < m.centre[b].z : a < b; });
     for (int sweep = 0; sweep < 30; ++sweep) {
@@ -54,7 +55,8 @@ std::vector<double> thermal_nitric_oxide_of(const shaft_gas& shaft) {
             largest = std::max(largest, next);
             no[k] = next;
         }
-        if (change <= 1e-4 * largest) break;
+        shaft.among().gather(no.data(), 1);
+        if (shaft.among().max(change) <= 1e-4 * shaft.among().max(largest)) break;
     }
     return no;
 }

@@ -70,11 +70,31 @@ struct history {
     }
 };
 
+/// Wall time of this rank's work [s].
+struct timings {
+    double dem = 0, motion = 0, voidage = 0, transfer = 0, gas = 0, convection = 0, links = 0, radiation = 0, all = 0;
+    std::vector<double> phases = std::vector<double>(5, 0.0);
+
+    template <class Part>
+    void each(Part&& part) {
+        part("dem", dem);
+        part("motion", motion);
+        part("voidage", voidage);
+        part("transfer", transfer);
+        part("gas", gas);
+        part("convection", convection);
+        part("links", links);
+        part("radiation", radiation);
+        part("all", all);
+        part("phases", phases);
+    }
+};
+
 /// Mean of the last `count` entries, `back` of them left out at the end.
 double recent_mean(const std::vector<double>& values, std::size_t count, std::size_t back = 0);
 
 struct furnace::parts {
-    explicit parts(const settings& given);
+    parts(const settings& given, ranks given_ranks);
 
     void fill_step();
     void ignite();
@@ -88,7 +108,8 @@ struct furnace::parts {
     void exchange_with_gas();
     void exchange_with_neighbours();
     void place_bed();
-    parcels cloud() const { return {*bed, fields, scene.shaft.height + scene.shaft.hopper_height}; }
+    double top() const { return scene.shaft.height + scene.shaft.hopper_height; }  ///< of the mesh [m]
+    parcels cloud() const { return {*bed, fields, top()}; }
     double bed_enthalpy() const;
     std::size_t window() const;             ///< couplings that a balance is averaged over
     double imbalance(std::size_t back = 0) const;  ///< of the steady furnace, averaged [W]
@@ -103,6 +124,7 @@ struct furnace::parts {
     saved_state save();
     void restore(const saved_state& saved);
 
+    ranks among;
     settings scene;
     shaft_profile profile;
     phase now = phase::fill;
@@ -112,6 +134,7 @@ struct furnace::parts {
     std::unique_ptr<dem::moving_bed> bed;
     stone_fields fields;
     wall_rings rings;
+    shares share;
     tssm clock;
     hearth::scene<gas_convection> gas_terms;
     hearth::scene<stone_radiation, stone_conduction> stone_terms;
@@ -129,10 +152,8 @@ struct furnace::parts {
     bool converged = false;
     std::vector<double> product_hottest, product_hot_seconds;  // of watched parcels that left
     double fed_mass = 0, passed_mass = 0, passed_enthalpy = 0, passed_over_feed = 0;  // of this coupling
-    struct {
-        double dem = 0, motion = 0, voidage = 0, transfer = 0, gas = 0, convection = 0, links = 0, radiation = 0, all = 0;
-        std::vector<double> phases = std::vector<double>(5, 0.0);
-    } seconds;
+    timings seconds;
+    timings slowest() const;  ///< each the largest of all ranks
 };
 
 }  // namespace hearth::furnace

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <hearth/gas/partition.hpp>
+
 namespace hearth::furnace {
 
 namespace {
@@ -60,19 +62,31 @@ gas::solver_settings solver_settings_of(const settings& scene) {
     return s;
 }
 
+gas::mesh mesh_of(const settings& scene) { return gas::mesh(gas::renumbered(gas::make(shape_of(scene)))); }
+
+gas::mesh share_of(gas::mesh whole, const ranks& among) {
+    if (among.size() == 1) return whole;
+    if (whole.cells() < among.size()) {
+        throw bad_scene("mesh: " + std::to_string(whole.cells()) + " cells are fewer than " + std::to_string(among.size()) + " ranks");
+    }
+    return gas::mesh(whole, gas::partition(whole, among.size()), among.rank());
+}
+
 }  // namespace
 
-shaft_gas::shaft_gas(const settings& scene, double parcel_diameter)
+shaft_gas::shaft_gas(const settings& scene, double parcel_diameter, const ranks& among)
     : scene_(scene),
-      mesh_(gas::renumbered(gas::make(shape_of(scene)))),
-      graph_(mesh_),
+      mesh_(share_of(mesh_of(scene), among)),
+      among_(mesh_, among),
+      order_(among.gather_on_first(std::vector<std::int64_t>(mesh_.global.begin(), mesh_.global.begin() + (among.size() > 1 ? mesh_.owned_cells() : 0)))),
+      graph_(mesh_, among),
       locator_(mesh_, graph_),
       outlet_(scene.shaft.hopper_height > 0 ? "outlet" : "top"),
       fill(locator_, {filtered(scene) ? scene.voidage.width_in_diameters * parcel_diameter : 0.0, scene.voidage.threshold, 1e-5}),
       transfer(locator_, {filtered(scene) ? scene.voidage.exchange_width_in_diameters * parcel_diameter : 0.0,
                           filtered(scene) ? 1.0 : scene.voidage.threshold, 1e-5}),
       model(make_mixture(scene)),
-      solver(mesh_, model, solver_settings_of(scene)) {
+      solver(mesh_, model, solver_settings_of(scene), among_) {
     const double normal_density = 101325 / (combustion::gas_constant * 273.15 * combustion::sum(air()));
     air_flow_ = scene.air.volume_flow * normal_density;
     if (scene.physics.combustion == burning::jones_lindstedt) chemistry_.emplace(scene);
@@ -81,6 +95,8 @@ shaft_gas::shaft_gas(const settings& scene, double parcel_diameter)
     solver.set(outlet_, gas::pressure_outlet(scene.gas.pressure, {scene.air.temperature, air_alone}));
     set_burners(scene.burners.count > 0 ? scene.burners.mass_flow : 0.0);
 }
+
+gas::mesh shaft_gas::whole_grid() const { return mesh_of(scene_); }
 
 void shaft_gas::set_burners(double mass_flow) {
     if (!(mass_flow >= 0) || !std::isfinite(mass_flow)) {
@@ -110,12 +126,14 @@ void shaft_gas::set_burners(double mass_flow) {
             }
         }
         double all = 0;
-        for (std::size_t c = 0; c < cells; ++c) {
+        const auto own = static_cast<std::size_t>(mesh_.owned_cells());
+        for (std::size_t c = 0; c < own; ++c) {
             const double within = std::min(high[c], scene_.burners.height + 0.05) - std::max(low[c], scene_.burners.height - 0.05);
             share[c] = std::max(0.0, within / (high[c] - low[c])) * mesh_.volume[c];
             all += share[c];
         }
-        for (std::size_t c = 0; c < cells; ++c) feed(c, mass_flow * share[c] / all);
+        all = among_.sum(all);
+        for (std::size_t c = 0; c < own; ++c) feed(c, mass_flow * share[c] / all);
         return;
     }
     // Flush with the wall, a jet of the burner's true momentum into the cell before its mouth.
@@ -129,7 +147,9 @@ void shaft_gas::set_burners(double mass_flow) {
         gas::vector3 at = (radius - 0.25 * scene_.shaft.diameter / scene_.mesh.across) * outwards;
         at.z = scene_.burners.height;
         const int c = mesh_.find_cell(at);
-        if (c < 0) throw bad_scene("mesh: no cell lies at a burner's mouth");
+        const double first = among_.max(c < 0 ? 0 : among_.ranks() - among_.rank());  // of ranks that meet there one has it
+        if (first == 0) throw bad_scene("mesh: no cell lies at a burner's mouth");
+        if (first != among_.ranks() - among_.rank()) continue;
         feed(static_cast<std::size_t>(c), each);
         solver.sources.force[c] += (-each * each / (density * mouth)) * outwards;
     }
@@ -167,13 +187,14 @@ void shaft_gas::react() {
 
 double shaft_gas::outlet_mean(const std::vector<double>& of_cells) const {
     const gas::patch& p = mesh_.find_patch(outlet_);
-    double sum = 0, flow = 0;
+    double sums[2] = {0, 0};
     for (int f = p.first; f < p.first + p.count; ++f) {
         const double out = std::max(0.0, solver.gas.flow.mass_flux[f]);
-        sum += out * of_cells[static_cast<std::size_t>(mesh_.owner[f])];
-        flow += out;
+        sums[0] += out * of_cells[static_cast<std::size_t>(mesh_.owner[f])];
+        sums[1] += out;
     }
-    return flow > 0 ? sum / flow : 0;
+    among_.sum(sums, 2);
+    return sums[1] > 0 ? sums[0] / sums[1] : 0;
 }
 
 }  // namespace hearth::furnace

@@ -11,6 +11,7 @@
 #include <hearth/dem/moving_bed.hpp>
 #include <hearth/furnace/spinel.hpp>
 
+#include "shares.hpp"
 #include "wall_rings.hpp"
 
 namespace hearth::furnace {
@@ -48,25 +49,35 @@ struct stone_fields {
     }
 };
 
-/// The bed as parcels: what fills the cells, and what sees its neighbours.
+/// The bed as parcels, all of it: what sees its neighbours.
 struct parcels {
     const dem::moving_bed& bed;
     const stone_fields& fields;
     double top;  ///< of the mesh; those that are about to leave, or heaped above it, count with its last cells [m]
 };
 
-/// The bed as stones, one for each parcel: what the closures were fitted for.
+/// The parcels of this rank, known to the others by their indices: what fills the cells.
+struct own_parcels {
+    const dem::moving_bed& bed;
+    const std::vector<std::int32_t>& mine;
+    double top;  ///< as above [m]
+};
+
+/// The parcels of this rank as stones, one for each parcel: what the closures were fitted for.
 struct stones {
     const dem::moving_bed& bed;
     const stone_fields& fields;
+    const std::vector<std::int32_t>& mine;
     double coarse_graining;      ///< diameter of a parcel over that of its stones [-]
     double acceleration_factor;  ///< the velocities that hearth asks for are those of the accelerated motion
 };
 
-/// Who is near whom, by parcels; and the wall in rings, each with its own temperature.
+/// Who is near whom, by parcels; and the wall in rings, each with its own temperature.  A rank visits what concerns its own
+/// parcels and rings, so where two ranks meet, both do.
 struct bed_neighbours {
     const dem::moving_bed& bed;
     const wall_rings& rings;
+    const shares& share;
 };
 
 }  // namespace hearth::furnace
@@ -89,21 +100,39 @@ struct hearth::particle_traits<hearth::furnace::parcels> {
 };
 
 template <>
+struct hearth::particle_traits<hearth::furnace::own_parcels> {
+    using index = std::int32_t;
+    using scalar = double;
+    using cloud = furnace::own_parcels;
+    static const dem::sphere& at(const cloud& c, index i) {
+        return c.bed.spheres()[static_cast<std::size_t>(c.mine[static_cast<std::size_t>(i)])];
+    }
+    static index particle_count(const cloud& c) { return static_cast<index>(c.mine.size()); }
+    static std::int64_t global_index(const cloud& c, index i) { return c.mine[static_cast<std::size_t>(i)]; }
+    static std::array<double, 3> get(quantity::position, const cloud& c, index i) {
+        const auto& x = at(c, i).centre;
+        return {x.x, x.y, std::clamp(x.z, 1e-6 * c.top, (1 - 1e-6) * c.top)};
+    }
+    static scalar get(quantity::radius, const cloud& c, index i) { return at(c, i).radius; }
+};
+
+template <>
 struct hearth::particle_traits<hearth::furnace::stones> {
     using index = std::int32_t;
     using scalar = double;
     using cloud = furnace::stones;
-    static index particle_count(const cloud& c) { return c.bed.size(); }
+    static index of(const cloud& c, index i) { return c.mine[static_cast<std::size_t>(i)]; }
+    static index particle_count(const cloud& c) { return static_cast<index>(c.mine.size()); }
     static scalar get(quantity::radius, const cloud& c, index i) {
-        return c.bed.spheres()[static_cast<std::size_t>(i)].radius / c.coarse_graining;
+        return c.bed.spheres()[static_cast<std::size_t>(of(c, i))].radius / c.coarse_graining;
     }
     static std::array<double, 3> get(quantity::velocity, const cloud& c, index i) {
-        const auto v = c.bed.velocity(i);
+        const auto v = c.bed.velocity(of(c, i));
         return {v.x * c.acceleration_factor, v.y * c.acceleration_factor, v.z * c.acceleration_factor};
     }
-    static scalar get(quantity::temperature, const cloud& c, index i) { return c.fields.temperature[static_cast<std::size_t>(i)]; }
+    static scalar get(quantity::temperature, const cloud& c, index i) { return c.fields.temperature[static_cast<std::size_t>(of(c, i))]; }
     static scalar get(quantity::conductivity, const cloud& c, index i) {
-        return furnace::spinel::conductivity(c.fields.temperature[static_cast<std::size_t>(i)]);
+        return furnace::spinel::conductivity(c.fields.temperature[static_cast<std::size_t>(of(c, i))]);
     }
 };
 
@@ -111,18 +140,24 @@ template <>
 struct hearth::contact_traits<hearth::furnace::bed_neighbours> {
     using host = furnace::bed_neighbours;
 
+    static bool concerns(const host& h, std::int32_t i, std::int32_t j) { return h.share.is_mine(i) || h.share.is_mine(j); }
     template <class Visit>
     static void for_each_contact(const host& h, Visit&& visit) {
-        contact_traits<dem::moving_bed>::for_each_contact(h.bed, visit);
+        contact_traits<dem::moving_bed>::for_each_contact(h.bed, [&](std::int32_t i, std::int32_t j, const contact& touch) {
+            if (concerns(h, i, j)) visit(i, j, touch);
+        });
     }
     template <class Visit>
     static void for_each_near(const host& h, double radius_factor, Visit&& visit) {
-        h.bed.for_each_near(radius_factor, visit);
+        h.bed.for_each_near(radius_factor, [&](std::int32_t i, std::int32_t j, double distance) {
+            if (concerns(h, i, j)) visit(i, j, distance);
+        });
     }
     template <class Visit>
     static void for_each_near_wall(const host& h, double radius_factor, Visit&& visit) {
         h.bed.for_each_near_wall(radius_factor, [&](std::int32_t i, int, double distance) {
-            visit(i, h.rings.ring(h.bed.spheres()[static_cast<std::size_t>(i)].centre.z), distance);
+            const int ring = h.rings.ring(h.bed.spheres()[static_cast<std::size_t>(i)].centre.z);
+            if (h.share.is_mine(i) || h.share.is_my_ring(static_cast<std::size_t>(ring))) visit(i, ring, distance);
         });
     }
     static double wall_temperature(const host& h, int ring) { return h.rings.temperature()[static_cast<std::size_t>(ring)]; }

@@ -34,7 +34,7 @@ status furnace::now() const {
     s.peak_height = p.bed->spheres()[peak].centre.z;
     if (p.now == phase::ignite) return s;
     const auto& t = p.shaft.solver.gas.temperature;
-    s.maximum_gas_temperature = *std::max_element(t.begin(), t.end());
+    s.maximum_gas_temperature = p.among.max(*std::max_element(t.begin(), t.end()));
     s.offgas_temperature = p.shaft.solver.mean_temperature(p.shaft.outlet());
     s.solids_outlet_temperature = p.outlet_temperature();
     s.pressure_drop = p.shaft.solver.mean_pressure("bottom") - p.scene.gas.pressure;
@@ -76,22 +76,31 @@ snapshot furnace::look() const {
     if (p.now == phase::ignite) return s;
     const gas::mesh& m = p.shaft.grid();
     const auto& gas = p.shaft.solver.gas;
-    s.void_fraction = p.shaft.solver.bed.void_fraction;
-    s.gas_temperature = gas.temperature;
-    for (int c = 0; c < m.cells(); ++c) {
-        s.cell_centre.push_back({m.centre[c].x, m.centre[c].y, m.centre[c].z});
-        s.cell_volume.push_back(m.volume[c]);
-        s.pressure.push_back(p.shaft.solver.absolute_pressure(c));
+    snapshot own;
+    for (int c = 0; c < m.owned_cells(); ++c) {
+        own.cell_centre.push_back({m.centre[c].x, m.centre[c].y, m.centre[c].z});
+        own.cell_volume.push_back(m.volume[c]);
+        own.pressure.push_back(p.shaft.solver.absolute_pressure(c));
         const auto& u = gas.flow.velocity[c];
-        s.superficial_velocity.push_back({u.x, u.y, u.z});
+        own.superficial_velocity.push_back({u.x, u.y, u.z});
         const auto x = combustion::mole_fractions(p.shaft.composition(c));
-        for (std::size_t k = 0; k < combustion::species_count; ++k) s.mole_fraction[combustion::species_names[k]].push_back(x[k]);
+        for (std::size_t k = 0; k < combustion::species_count; ++k) own.mole_fraction[combustion::species_names[k]].push_back(x[k]);
     }
+    const auto all = [&](auto& field) { return p.shaft.of_all_cells(std::move(field)); };
+    s.cell_centre = all(own.cell_centre);
+    s.cell_volume = all(own.cell_volume);
+    s.void_fraction = p.shaft.of_all_cells<double>(p.shaft.solver.bed.void_fraction);
+    s.gas_temperature = p.shaft.of_all_cells<double>(gas.temperature);
+    s.pressure = all(own.pressure);
+    s.superficial_velocity = all(own.superficial_velocity);
+    for (auto& [name, field] : own.mole_fraction) s.mole_fraction[name] = all(field);
     return s;
 }
 
 cell_shapes furnace::cells() const {
-    const gas::mesh& m = parts_->shaft.grid();
+    const bool one = parts_->among.size() == 1;
+    const gas::mesh whole = one ? gas::mesh() : parts_->shaft.whole_grid();
+    const gas::mesh& m = one ? parts_->shaft.grid() : whole;
     cell_shapes shapes;
     for (const auto& x : m.shape.points) shapes.points.push_back({x.x, x.y, x.z});
     // Cells stand on a level face and end in another; their points go round the same way in both, above one another.
@@ -155,7 +164,7 @@ axial_profile furnace::axial(int slices) const {
     mean(profile.particle_temperature_centre, centre);
     mean(profile.particle_temperature_wall, wall);
     std::vector<double> volume(n), flow(n);
-    for (int c = 0; c < p.shaft.grid().cells(); ++c) {
+    for (int c = 0; c < p.shaft.grid().owned_cells(); ++c) {
         const gas::vector3& x = p.shaft.grid().centre[c];
         if (x.z >= height) continue;
         const std::size_t k = slice(x.z);
@@ -166,6 +175,8 @@ axial_profile furnace::axial(int slices) const {
         volume[k] += v;
         flow[k] += up;
     }
+    const auto of_all = [&](std::vector<double>& sums) { p.shaft.among().sum(sums.data(), static_cast<int>(sums.size())); };
+    for (auto* sums : {&profile.void_fraction, &profile.pressure, &profile.gas_temperature, &volume, &flow}) of_all(*sums);
     mean(profile.void_fraction, volume);
     mean(profile.pressure, volume);
     mean(profile.gas_temperature, flow);
@@ -181,7 +192,7 @@ axial_profile furnace::axial(int slices) const {
             const auto& pair = p.links.pairs[k];
             const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
             const double zi = p.bed->spheres()[i].centre.z, zj = p.bed->spheres()[j].centre.z, ti = p.fields.temperature[i], tj = p.fields.temperature[j];
-            if (heat.empty()) continue;
+            if (heat.empty() || !p.share.is_mine(pair.first)) continue;  // where two ranks meet, both list the pair
             const double to_first = pair.link.secant(ti, tj) * (tj - ti) / dz;
             if (zi < height) heat[slice(zi)] += to_first;
             if (zj < height) heat[slice(zj)] -= to_first;
@@ -191,9 +202,11 @@ axial_profile furnace::axial(int slices) const {
     for (const auto& link : p.links.walls) {
         if (profile.wall.empty()) break;
         const auto i = static_cast<std::size_t>(link.particle);
+        if (!p.share.is_mine(link.particle)) continue;
         const double z = p.bed->spheres()[i].centre.z, t = p.fields.temperature[i], wall_t = p.rings.temperature()[static_cast<std::size_t>(link.patch)];
         if (z < height) profile.wall[slice(z)] += link.link.secant(t, wall_t) * (wall_t - t) / dz;
     }
+    for (auto* heat : {&profile.radiation, &profile.conduction, &profile.wall}) of_all(*heat);
     return profile;
 }
 

@@ -34,12 +34,13 @@ summary furnace::summarise() const {
     constexpr double pi = 3.14159265358979323846;
     const parts& p = *parts_;
     summary s;
-    s.wall_time = p.seconds.all;
+    const timings slowest = p.slowest();
+    s.wall_time = slowest.all;
     rusage used{};
-    if (getrusage(RUSAGE_SELF, &used) == 0) s.peak_memory = 1024.0 * static_cast<double>(used.ru_maxrss);
-    for (std::size_t k = 0; k < p.seconds.phases.size(); ++k) s.phases.push_back({name(static_cast<phase>(k)), p.seconds.phases[k]});
-    s.modules = {{"dem", p.seconds.dem}, {"motion", p.seconds.motion}, {"voidage", p.seconds.voidage}, {"transfer", p.seconds.transfer},
-                 {"gas", p.seconds.gas}, {"convection", p.seconds.convection}, {"links", p.seconds.links}, {"radiation", p.seconds.radiation}};
+    if (getrusage(RUSAGE_SELF, &used) == 0) s.peak_memory = p.shaft.among().sum(1024.0 * static_cast<double>(used.ru_maxrss));
+    for (std::size_t k = 0; k < slowest.phases.size(); ++k) s.phases.push_back({name(static_cast<phase>(k)), slowest.phases[k]});
+    s.modules = {{"dem", slowest.dem}, {"motion", slowest.motion}, {"voidage", slowest.voidage}, {"transfer", slowest.transfer},
+                 {"gas", slowest.gas}, {"convection", slowest.convection}, {"links", slowest.links}, {"radiation", slowest.radiation}};
     s.fuel_power = p.shaft.fuel_power();
     if (p.scene.particles.mass_flow > 0) s.specific_heat_consumption = *s.fuel_power / p.scene.particles.mass_flow * 1e-3;
     if (p.shaft.burner_flow() > 0) s.excess_air_ratio = p.shaft.excess_air_ratio();
@@ -131,19 +132,31 @@ summary furnace::summarise() const {
     s.product_share_above_2320_K = share_above(p.product_hottest, 2320);
     s.median_time_above_2130_K = percentile(p.product_hot_seconds, 0.5);
     if (*s.maximum_temperature > 2327) {
-        const auto tell = [&](const char* what, double temperature, int cell, double z) {
+        const auto tell = [&](const char* what, double temperature, std::int64_t cell, double z) {
             if (!(temperature > 2327)) return;
             std::ostringstream text;
             text << "hotter than the flame of cold gas, 2327 K: the hottest " << what << ", " << temperature << " K in cell " << cell << " at " << z
                  << " m; only gas that is hot before it burns makes it so";
             s.warnings.push_back(text.str());
         };
+        struct hot_cell {
+            double temperature, height;
+            std::int64_t number, of_stone;
+        };
         const gas::mesh& m = p.shaft.grid();
         const auto& t = p.shaft.solver.gas.temperature;
-        const auto c = static_cast<int>(std::max_element(t.begin(), t.end()) - t.begin());
-        tell("gas", t[c], c, m.centre[c].z);
+        const auto number = [&](int cell) { return cell < 0 ? std::int64_t{-1} : std::int64_t{mesh_traits<gas::mesh>::global_index(m, cell)}; };
+        const auto c = static_cast<int>(std::max_element(t.begin(), t.begin() + m.owned_cells()) - t.begin());
         const dem::vector3& x = p.bed->spheres()[p.hottest_stone()].centre;
-        tell("stone", now.peak_particle_temperature, m.find_cell({x.x, x.y, x.z}), x.z);
+        const auto of_ranks = p.among.gather(std::vector<hot_cell>{{t[c], m.centre[c].z, number(c), number(m.find_cell({x.x, x.y, x.z}))}});
+        hot_cell hottest = of_ranks.front();
+        for (const hot_cell& here : of_ranks) {
+            const std::int64_t of_stone = std::max(hottest.of_stone, here.of_stone);
+            if (here.temperature > hottest.temperature) hottest = here;
+            hottest.of_stone = of_stone;
+        }
+        tell("gas", hottest.temperature, hottest.number, hottest.height);
+        tell("stone", now.peak_particle_temperature, hottest.of_stone, x.z);
     }
     if (const auto& chemistry = p.shaft.chemistry(); chemistry && chemistry->unfinished > 0) {
         std::ostringstream text;

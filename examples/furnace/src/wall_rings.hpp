@@ -44,6 +44,9 @@ class wall_rings {
         return static_cast<int>(std::clamp(z / height_ * count, 0.0, count - 1));
     }
 
+    double middle(std::size_t ring) const {  ///< its height [m]
+        return (static_cast<double>(ring) + 0.5) * height_ / static_cast<double>(temperature_.size());
+    }
     double conductance(std::size_t ring) const { return conductance_[ring]; }  ///< to the ambient [W/K]
     double ambient(std::size_t ring) const {                                   ///< [K]
         return conductance_[ring] > 0 ? pull_[ring] / conductance_[ring] : 300;

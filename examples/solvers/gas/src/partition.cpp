@@ -46,6 +46,20 @@ array<int> partition(const mesh& whole, int parts) {
     return part;
 }
 
+array<shared_face> faces_of_share(const mesh& whole, const array<int>& rank_of_cell, int rank) {
+    const auto mine = [&](int c) { return rank_of_cell[c] == rank; };
+    const int internal = whole.internal_faces();
+    array<shared_face> faces;
+    for (const bool towards_ghosts : {false, true})
+        for (int f = 0; f < internal; ++f) {
+            const int p = whole.owner[f], q = whole.neighbour[f];
+            if ((mine(p) || mine(q)) && (mine(p) != mine(q)) == towards_ghosts) faces.push_back({f, !mine(p)});
+        }
+    for (int f = internal; f < whole.faces(); ++f)
+        if (mine(whole.owner[f])) faces.push_back({f, false});
+    return faces;
+}
+
 mesh::mesh(const mesh& whole, const array<int>& rank_of_cell, int rank) : largest_angle(whole.largest_angle) {
     const int internal = whole.internal_faces();
     array<int> local(whole.owned_cells(), -1);
@@ -89,23 +103,17 @@ mesh::mesh(const mesh& whole, const array<int>& rank_of_cell, int rank) : larges
         area.push_back(turned ? -whole.area[f] : whole.area[f]);
         face_centre.push_back(whole.face_centre[f]);
     };
-    for (const bool towards_ghosts : {false, true})
-        for (int f = 0; f < internal; ++f) {
-            const int p = whole.owner[f], q = whole.neighbour[f];
-            if (!(mine(p) || mine(q)) || (mine(p) != mine(q)) != towards_ghosts) continue;
-            const bool turned = !mine(p);  // the owner of a face is a cell of this rank
-            owner.push_back(local[turned ? q : p]);
-            neighbour.push_back(local[turned ? p : q]);
-            take(f, turned);
-        }
+    for (const shared_face& s : faces_of_share(whole, rank_of_cell, rank)) {
+        const bool inside = s.face < internal;
+        owner.push_back(local[s.turned ? whole.neighbour[s.face] : whole.owner[s.face]]);
+        if (inside) neighbour.push_back(local[s.turned ? whole.owner[s.face] : whole.neighbour[s.face]]);
+        take(s.face, s.turned);
+    }
+    int next = internal_faces();
     for (const patch& p : whole.patches) {
-        patches.push_back({p.name, owner.count(), 0});
-        for (int f = p.first; f < p.first + p.count; ++f) {
-            if (!mine(whole.owner[f])) continue;
-            owner.push_back(local[whole.owner[f]]);
-            take(f, false);
-            ++patches.back().count;
-        }
+        patches.push_back({p.name, next, 0});
+        for (int f = p.first; f < p.first + p.count; ++f) patches.back().count += mine(whole.owner[f]);
+        next += patches.back().count;
     }
     const double angle = largest_angle;  // of the whole mesh: all ranks correct in the same way
     compute_weights();

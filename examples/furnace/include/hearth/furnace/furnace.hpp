@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <hearth/furnace/ranks.hpp>
 #include <hearth/furnace/settings.hpp>
 #include <hearth/furnace/shaft_profile.hpp>
 #include <hearth/furnace/snapshot.hpp>
@@ -76,7 +77,7 @@ plan foresee(const settings& scene);
 /// Throws bad_scene for a scene that it cannot run.
 class furnace {
   public:
-    explicit furnace(const settings& scene);
+    explicit furnace(const settings& scene, const ranks& among = {});
     ~furnace();
     furnace(furnace&&) noexcept;
 

@@ -18,4 +18,13 @@ namespace hearth::gas {
 /// per cell of the share.
 array<int> partition(const mesh& whole, int parts);
 
+/// A face of a share: its number in the whole mesh, and whether owner and neighbour have changed places, because a face's
+/// owner is a cell of the rank.
+struct shared_face {
+    int face;
+    bool turned;
+};
+/// The faces of a rank's share, in their order there.
+array<shared_face> faces_of_share(const mesh& whole, const array<int>& rank_of_cell, int rank);
+
 }  // namespace hearth::gas
