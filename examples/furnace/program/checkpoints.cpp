@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* format_name = "hearth furnace checkpoint 1";
+constexpr const char* format_name = "hearth furnace checkpoint 2";
 
 /// The number in checkpoint_NUMBER.h5; -1 for other files.
 long number_of(const fs::path& file) {
@@ -71,21 +71,23 @@ saved_state read_file(const fs::path& path, const settings& scene) {
 
 }  // namespace
 
-checkpoints::checkpoints(fs::path folder) : folder_(std::move(folder)) {}
+checkpoints::checkpoints(fs::path folder, ranks among) : folder_(std::move(folder)), among_(std::move(among)) {}
 
 fs::path checkpoints::write(const saved_state& state, const settings& scene) {
-    const auto before = checkpoints_in(folder_);
+    std::vector<std::pair<long, fs::path>> before;
+    if (among_.rank() == 0) before = checkpoints_in(folder_);  // what others see of the folder may be late
+    const std::int64_t number = among_.max(std::int64_t{before.empty() ? 1 : before.front().first + 1});
     char name[40];
-    std::snprintf(name, sizeof name, "checkpoint_%04ld.h5", before.empty() ? 1 : before.front().first + 1);
+    std::snprintf(name, sizeof name, "checkpoint_%04ld.h5", static_cast<long>(number));
     const fs::path path = folder_ / name;
     io::hdf5_file file(path.string(), io::hdf5_file::mode::write_checksummed);
     file.write_attribute("/furnace", "format", std::string(format_name));
     file.write_attribute("/furnace", "version", version());
     file.write_attribute("/furnace", "scene", document(scene));
     std::string names;
-    for (const auto& [name, values] : state) {
-        file.write("state/" + name, values);
-        names += name + '\n';
+    for (const auto& [array, values] : state) {
+        file.write("state/" + array, values);
+        names += array + '\n';
     }
     file.write_attribute("/furnace", "arrays", names);
     file.close();

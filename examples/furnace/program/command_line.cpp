@@ -2,6 +2,7 @@
 #include "command_line.hpp"
 
 #include <cstdio>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 
@@ -32,6 +33,8 @@ Results:
 
 Ctrl-C and SIGTERM write a checkpoint and stop.
 
+On several cores: mpirun -np 4 furnace column.toml.  A run goes on from its checkpoints on any number of ranks.
+
 Exit codes: 0 done; 1 failed while it ran; 2 the command line or the scene is wrong; 3 a file is wrong or cannot be written;
 128 + signal: stopped by it, with a checkpoint.
 
@@ -41,7 +44,7 @@ doi:10.1002/ceat.202200617, which is what all keys are by default:
 
 }  // namespace
 
-command_or_exit read_command_line(int count, char** arguments) {
+command_or_exit read_command_line(int count, char** arguments, bool tells) {
     command_line command;
     CLI::App app("A shaft furnace: gas burns inside a bed of stones that sinks through the shaft.", "furnace");
     app.add_option("SCENE", command.scene, "Scene file (TOML)")->required();
@@ -55,8 +58,8 @@ command_or_exit read_command_line(int count, char** arguments) {
     app.add_flag("--dry-run", command.dry_run, "Tell what would be built, its memory and time, and what is left out; run nothing");
     app.add_flag("--quiet", command.quiet, "No progress, no table");
     app.add_option_function<std::string>(
-           "--keys", [](const std::string& kind) {
-               std::fputs(keys_of_kind(kind).c_str(), stdout);
+           "--keys", [tells](const std::string& kind) {
+               if (const std::string keys = keys_of_kind(kind); tells) std::fputs(keys.c_str(), stdout);
                throw CLI::Success();
            }, "Print every key of a kind of scene and end")
         ->type_name("KIND")
@@ -71,9 +74,11 @@ command_or_exit read_command_line(int count, char** arguments) {
     try {
         app.parse(count, arguments);
     } catch (const CLI::ParseError& end) {
-        return {std::nullopt, app.exit(end) == 0 ? exit_code::done : exit_code::bad_input};
+        std::ostringstream nowhere;
+        const int code = tells ? app.exit(end) : app.exit(end, nowhere, nowhere);
+        return {std::nullopt, code == 0 ? exit_code::done : exit_code::bad_input};
     } catch (const bad_scene& error) {
-        std::fprintf(stderr, "furnace: %s\n", error.what());
+        if (tells) std::fprintf(stderr, "furnace: %s\n", error.what());
         return {std::nullopt, exit_code::bad_input};
     }
     return {command, 0};

@@ -23,11 +23,11 @@ struct command_line {
 };
 
 /// Reads the command line; where it holds no run to be made (--help, --version, a mistake) it prints what there is to say
-/// and returns the exit code.
+/// and returns the exit code; `tells`: whether this rank prints.
 struct command_or_exit {
     std::optional<command_line> command;
     int exit = 0;
 };
-command_or_exit read_command_line(int count, char** arguments);
+command_or_exit read_command_line(int count, char** arguments, bool tells = true);
 
 }  // namespace hearth::furnace::program

@@ -87,8 +87,7 @@ std::string cut_of(const plane& p, const cell_shapes& shapes, const snapshot& se
 
 }  // namespace
 
-std::string picture_data(const furnace& shaft) {
-    const snapshot seen = shaft.look();
+std::string picture_data(const furnace& shaft, const snapshot& seen) {
     const cell_shapes shapes = shaft.cells();
     const settings& scene = shaft.scene();
     // A hair off the middle, where the faces of a symmetric mesh lie.

@@ -55,16 +55,36 @@ void history::add(const status& now) {
                              now.offgas_temperature, now.solids_outlet_temperature, now.pressure_drop, now.enthalpy_imbalance});
 }
 
-results::results(fs::path folder) : folder_(std::move(folder)) { make_folder(folder_); }
+/// Rank 0 writes; where it cannot, all ranks throw.
+template <class Write>
+void results::on_first(Write&& write) const {
+    std::string wrong;
+    bool failed = false;
+    try {
+        if (among_.rank() == 0) write();
+    } catch (const io::file_error& error) {
+        failed = true;
+        wrong = error.what();
+    }
+    if (among_.any(failed)) throw io::file_error(wrong);
+}
+
+results::results(fs::path folder, ranks among) : folder_(std::move(folder)), among_(std::move(among)) {
+    on_first([&] { make_folder(folder_); });
+}
 
 void results::frame(int count, const furnace& shaft) const {
     const snapshot seen = shaft.look();
+    on_first([&] { frame_of(count, seen, shaft.cells()); });
+}
+
+void results::frame_of(int count, const snapshot& seen, const cell_shapes& shapes) const {
     const auto path = [&](const char* stem) {
         char name[40];
         std::snprintf(name, sizeof name, "%s_%04d.hdf", stem, count);
         return (folder_ / name).string();
     };
-    io::vtkhdf_file particles(path("particles"), io::vertices(flat(seen.particle_position)), seen.process_time);
+    io::vtkhdf_file particles(path("particles"), io::vertices(flat(seen.particle_position)), seen.process_time, MPI_COMM_SELF);
     const auto particle_field = [&](const char* name, const std::vector<double>& values) {
         if (!values.empty()) particles.cell_field(name, single(values));
     };
@@ -73,7 +93,6 @@ void results::frame(int count, const furnace& shaft) const {
     particle_field("heat_transfer_coefficient_W_per_m2K", seen.heat_transfer_coefficient);
     particles.close();
 
-    const cell_shapes shapes = shaft.cells();
     io::grid_piece grid;
     grid.points = flat(shapes.points);
     grid.offsets.push_back(0);
@@ -83,7 +102,7 @@ void results::frame(int count, const furnace& shaft) const {
     }
     constexpr std::uint8_t vtk_hexahedron = 12;
     grid.types.assign(shapes.cells.size(), vtk_hexahedron);
-    io::vtkhdf_file cells(path("cells"), grid, seen.process_time);
+    io::vtkhdf_file cells(path("cells"), grid, seen.process_time, MPI_COMM_SELF);
     const auto cell_field = [&](const std::string& name, const std::vector<double>& values) {
         if (!values.empty()) cells.cell_field(name, single(values));
     };
@@ -97,10 +116,16 @@ void results::frame(int count, const furnace& shaft) const {
     cells.close();
 }
 
-void results::scene(const settings& s) const { write_text(folder_ / "scene.toml", document(s)); }
+void results::scene(const settings& s) const {
+    on_first([&] { write_text(folder_ / "scene.toml", document(s)); });
+}
 
-void results::end(const furnace& shaft, const history& watched) const {
+void results::end(const furnace& shaft, const snapshot& seen, const history& watched) const {
     const axial_profile now = shaft.axial();
+    on_first([&] { end_of(shaft, now, seen, watched); });
+}
+
+void results::end_of(const furnace& shaft, const axial_profile& now, const snapshot& seen, const history& watched) const {
     write_text(folder_ / "profiles.csv",
                csv{{{"height_m", &now.height},
                     {"particle_temperature_K", &now.particle_temperature},
@@ -128,17 +153,19 @@ void results::end(const furnace& shaft, const history& watched) const {
         table += number(watched.rows[k]) + ((k + 1) % history::columns == 0 ? '\n' : ',');
     }
     write_text(folder_ / "history.csv", table);
-    write_text(folder_ / "picture.json", picture_data(shaft));
+    write_text(folder_ / "picture.json", picture_data(shaft, seen));
     write_text(folder_ / "picture.py", picture_script());
 }
 
-void results::summary_file(const furnace& shaft, const summary& s, const plan& planned, const std::string& also) const {
-    const std::string text = json(shaft, s, planned);
-    write_text(folder_ / "summary.json", text);
-    if (!also.empty()) write_text(also, text);
+void results::summary_file(const furnace& shaft, const snapshot& seen, const summary& s, const plan& planned, const std::string& also) const {
+    on_first([&] {
+        const std::string text = json(shaft, seen, s, planned, among_.size());
+        write_text(folder_ / "summary.json", text);
+        if (!also.empty()) write_text(also, text);
+    });
 }
 
-std::string json(const furnace& shaft, const summary& s, const plan& planned) {
+std::string json(const furnace& shaft, const snapshot& seen, const summary& s, const plan& planned, int ranks) {
     std::string out = "{\n  \"title\": " + quoted(shaft.scene().title) + ",\n";
     std::string absent;
     for_each_number(s, [&](const char* key, const summary::number& value) {
@@ -165,7 +192,7 @@ std::string json(const furnace& shaft, const summary& s, const plan& planned) {
     }
     out += "],\n  \"absent\": {" + absent + (absent.empty() ? "" : "\n  ") + "},\n";
     out += "  \"version\": " + quoted(version()) + ",\n  \"scene_hash\": " + quoted(hexadecimal(hash(shaft.scene()))) +
-           ",\n  \"answer_hash\": " + quoted(hexadecimal(answer_hash(shaft.look()))) + ",\n  \"ranks\": 1\n}\n";
+           ",\n  \"answer_hash\": " + quoted(hexadecimal(answer_hash(seen))) + ",\n  \"ranks\": " + std::to_string(ranks) + "\n}\n";
     return out;
 }
 

@@ -39,41 +39,50 @@ const char* const watched_rows = "program/history";
 /// One run from its settings to its report.
 class session {
   public:
-    explicit session(const command_line& command)
-        : command_(command), scene_(read_scene(command.scene)), line_(stdout, command.quiet) {
+    session(const command_line& command, const ranks& among)
+        : command_(command),
+          among_(among),
+          scene_(read_scene(command.scene)),
+          line_(stdout, command.quiet || !tells()) {
         for (const std::string& assignment : command.assignments) set_key(scene_, assignment);
         planned_ = foresee(scene_);
     }
 
     int run() {
         if (command_.dry_run) {
-            std::fputs(expectation(scene_, planned_).c_str(), stdout);
+            if (tells()) std::fputs(expectation(scene_, planned_).c_str(), stdout);
             return exit_code::done;
         }
         saved_state saved;
         std::string remark;
         if (!command_.restart.empty()) saved = read_checkpoint(command_.restart, scene_, remark);
         listen_to_signals();
-        if (!remark.empty()) std::fputs(remark.c_str(), stderr);
+        if (tells() && !remark.empty()) std::fputs(remark.c_str(), stderr);
         line_.say(expectation(scene_, planned_));
-        furnace shaft(scene_);
+        furnace shaft(scene_, among_);
         if (!command_.restart.empty()) {
             watched_.rows = saved[watched_rows];
             shaft.restore(saved);
             line_.say("goes on from " + command_.restart + ", coupling " + std::to_string(shaft.steps_done()));
         }
-        results_ = std::make_unique<results>(command_.output);
+        results_ = std::make_unique<results>(command_.output, among_);
         results_->scene(scene_);  // a folder that cannot be written is told at once
         while (!shaft.done()) {
             step(shaft);
             line_.show(shaft.now());
-            if (stop_signal != 0) return stop(shaft);
-            if (interval() >= scene_.output.interval) write_checkpoint(shaft);
+            // What one rank has heard or what one clock says, all do.
+            if (const double signal = among_.max(static_cast<double>(stop_signal)); signal > 0) return stop(shaft, static_cast<int>(signal));
+            if (among_.any(interval() >= scene_.output.interval)) write_checkpoint(shaft);
         }
         return end(shaft);
     }
 
   private:
+    bool tells() const { return among_.rank() == 0; }
+    void complain(const std::string& text) const {
+        if (tells()) std::fprintf(stderr, "furnace: %s\n", text.c_str());
+    }
+
     void step(furnace& shaft) {
         const int before = shaft.steps_done();
         if (shaft.current() == phase::couple && before == 0) frame(shaft, 0);
@@ -96,28 +105,31 @@ class session {
     bool write_checkpoint(const furnace& shaft) {
         const bool written = keep([&] {
             saved_state state = shaft.save();
-            state[watched_rows] = watched_.rows;
-            checkpoints(command_.output).write(state, scene_);
+            state[watched_rows] = tells() ? watched_.rows : std::vector<double>();
+            checkpoints(command_.output, among_).write(state, scene_);
         });
         last_checkpoint_ = std::chrono::steady_clock::now();
-        if (!written) std::fprintf(stderr, "furnace: the checkpoints before it are kept\n");
+        if (!written) complain("the checkpoints before it are kept");
         return written;
     }
 
-    int stop(const furnace& shaft) {
+    int stop(const furnace& shaft, int signal) {
         line_.end();
         const bool written = write_checkpoint(shaft);
-        std::fprintf(stderr, "furnace: stopped by signal %d%s\n", static_cast<int>(stop_signal),
-                     written ? (", go on with --restart " + command_.output).c_str() : ", without a new checkpoint");
-        return written ? exit_code::stopped + static_cast<int>(stop_signal) : exit_code::bad_file;
+        complain("stopped by signal " + std::to_string(signal) +
+                 (written ? ", go on with --restart " + command_.output : ", without a new checkpoint"));
+        return written ? exit_code::stopped + signal : exit_code::bad_file;
     }
 
     int end(const furnace& shaft) {
         line_.end();
         const summary ending = shaft.summarise();
-        keep([&] { results_->summary_file(shaft, ending, planned_, command_.summary); });
-        keep([&] { results_->end(shaft, watched_); });
+        const snapshot seen = shaft.look();
+        keep([&] { results_->summary_file(shaft, seen, ending, planned_, command_.summary); });
+        keep([&] { results_->end(shaft, seen, watched_); });
         write_checkpoint(shaft);
+        const int code = complete_ ? exit_code::done : exit_code::bad_file;
+        if (!tells()) return code;
         std::string picture = command_.output + "/furnace.png", reason;
         if (!scene_.output.picture) {
             picture = "python3 " + command_.output + "/picture.py draws it";
@@ -128,10 +140,9 @@ class session {
             std::printf("\n%s\n%s\nresults  %s\npicture  %s\n", scene_.title.c_str(), comparison(scene_, ending).c_str(),
                         std::filesystem::absolute(command_.output).lexically_normal().c_str(), picture.c_str());
         }
-        for (const std::string& warning : ending.warnings) std::fprintf(stderr, "furnace: warning: %s\n", warning.c_str());
-        if (complete_) return exit_code::done;
-        std::fprintf(stderr, "furnace: the results are not complete: see above\n");
-        return exit_code::bad_file;
+        for (const std::string& warning : ending.warnings) complain("warning: " + warning);
+        if (!complete_) complain("the results are not complete: see above");
+        return code;
     }
 
     /// Writes; a file that cannot be written is told, and the run goes on with the files that it has.
@@ -142,13 +153,14 @@ class session {
             return true;
         } catch (const io::file_error& error) {
             line_.end();
-            std::fprintf(stderr, "furnace: %s\n", error.what());
+            complain(error.what());
             complete_ = false;
             return false;
         }
     }
 
     command_line command_;
+    ranks among_;
     settings scene_;
     plan planned_;
     progress line_;
@@ -160,8 +172,11 @@ class session {
 
 }  // namespace
 
-int run(const command_line& command) {
-    return kind_of_scene(command.scene) == settings::kind ? session(command).run() : climb(command);
+int run(const command_line& command, const ranks& among) {
+    const std::string kind = kind_of_scene(command.scene);
+    if (kind == settings::kind) return session(command, among).run();
+    if (among.size() > 1) throw bad_scene("a scene of kind \"" + kind + "\" is short and runs on one rank");
+    return climb(command);
 }
 
 }  // namespace hearth::furnace::program

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "flat.hpp"
 #include "parts.hpp"
+#include "redistribution.hpp"
 
 namespace hearth::furnace {
 
@@ -53,22 +56,52 @@ void furnace::parts::each_part(Part&& part) {
     seconds.each(under("seconds"));
 }
 
+namespace {
+
+bool lies_on_ranks(const std::string& name) { return name.compare(0, 4, "gas/") == 0; }
+
+/// What every rank has of an array that lies on ranks: its length and its numbers, rank by rank.
+redistribution::parts parts_of(const std::string& name, const std::vector<double>& saved, std::size_t ranks) {
+    redistribution::parts found;
+    for (std::size_t at = 0; at < saved.size();) {
+        const auto rest = static_cast<double>(saved.size() - at - 1);
+        if (!(saved[at] >= 0 && saved[at] <= rest)) break;
+        const auto from = saved.begin() + static_cast<std::ptrdiff_t>(at + 1), to = from + static_cast<std::ptrdiff_t>(saved[at]);
+        found.emplace_back(from, to);
+        at += 1 + found.back().size();
+    }
+    if (found.size() != ranks) throw bad_scene("the state has " + std::to_string(found.size()) + " parts of " + name + ", expected: " + std::to_string(ranks));
+    return found;
+}
+
+}  // namespace
+
+/// What all ranks know, the first one saves.
 saved_state furnace::parts::save() {
     saved_state saved;
+    saved["ranks"] = {static_cast<double>(among.size())};
     saved["phase"] = {static_cast<double>(now)};
     saved["burner_flow"] = {shaft.burner_flow()};
     if (now == phase::fill) {
         fill->save(saved);
-        return saved;
-    }
-    if (const auto* recorded = dynamic_cast<const dem::recorded_bed*>(bed.get())) {
-        saved["bed/recording"] = to_numbers(recorded->record().bytes());
     } else {
-        saved["bed/spheres"] = to_flat(bed->spheres());
-        saved["bed/masses"] = bed->masses();
+        if (const auto* recorded = dynamic_cast<const dem::recorded_bed*>(bed.get())) {
+            saved["bed/recording"] = to_numbers(recorded->record().bytes());
+        } else {
+            saved["bed/spheres"] = to_flat(bed->spheres());
+            saved["bed/masses"] = bed->masses();
+        }
+        saved["bed/state"] = to_numbers(bed->state());
+        const timings own = std::exchange(seconds, slowest());
+        each_part([&](const std::string& name, auto& value) {
+            std::vector<double>& numbers = saved[name] = to_flat(value);
+            if (lies_on_ranks(name)) numbers.insert(numbers.begin(), static_cast<double>(numbers.size()));
+        });
+        seconds = own;
     }
-    saved["bed/state"] = to_numbers(bed->state());
-    each_part([&](const std::string& name, auto& value) { saved[name] = to_flat(value); });
+    for (auto& [name, numbers] : saved) {
+        if (among.rank() > 0 && !lies_on_ranks(name)) numbers.clear();
+    }
     return saved;
 }
 
@@ -85,11 +118,21 @@ void furnace::parts::restore(const saved_state& saved) {
         return;
     }
     static_cast<void>(find("burner_flow"));
+    const double before = find("ranks").at(0);
+    std::optional<redistribution> elsewhere;
+    if (before != among.size()) elsewhere.emplace(shaft.whole_grid(), static_cast<int>(before), among.size(), among.rank());
+    std::map<std::string, std::vector<double>> of_gas;
     each_part([&](const std::string& name, auto& value) {
-        const std::size_t size = find(name).size();
-        const bool grid = name.compare(0, 4, "gas/") == 0 && flat_size(value) > 0;
-        if (grid && size != flat_size(value)) {
-            throw bad_scene("the state has " + std::to_string(size) + " numbers of " + name + ", expected: " + std::to_string(flat_size(value)));
+        if (!lies_on_ranks(name)) return static_cast<void>(find(name));
+        const redistribution::parts all = parts_of(name, find(name), static_cast<std::size_t>(before));
+        std::vector<double>& here = of_gas[name];
+        if (!elsewhere) here = all[static_cast<std::size_t>(among.rank())];
+        else if (name == "gas/mass_flux") here = elsewhere->of_faces(all);
+        else if (name == "gas/wall_viscosity") here = elsewhere->of_boundary(all);
+        else here = elsewhere->of_cells(all);
+        const bool fits = flat_size(value) == 0 || here.size() == flat_size(value);
+        if (among.any(!fits)) {
+            throw bad_scene("the state has " + std::to_string(here.size()) + " numbers of " + name + ", expected: " + std::to_string(flat_size(value)));
         }
     });
     std::unique_ptr<dem::moving_bed> made;
@@ -106,7 +149,7 @@ void furnace::parts::restore(const saved_state& saved) {
     fill.reset();
     shaft.set_burners(find("burner_flow").at(0));
     place_bed();  // makes the map; what the gas had of the bed is in the state, from within the last step
-    each_part([&](const std::string& name, auto& value) { from_flat(find(name), value); });
+    each_part([&](const std::string& name, auto& value) { from_flat(lies_on_ranks(name) ? of_gas.at(name) : find(name), value); });
     if (packed_by_dem()) fit_to_packing();
     now = then;
     if (now != phase::ignite) judge();

@@ -74,6 +74,9 @@ plan foresee(const settings& scene);
 ///     while (!shaft.done()) shaft.step();
 ///     const auto end = shaft.summarise();
 ///
+/// On several ranks the cells of the gas and the work on the bed are shared.  All ranks make the same calls in the same order;
+/// what is asked of the furnace as a whole is told to each of them.
+///
 /// Throws bad_scene for a scene that it cannot run.
 class furnace {
   public:
@@ -91,7 +94,7 @@ class furnace {
 
     const settings& scene() const;
     status now() const;
-    snapshot look() const;
+    snapshot look() const;  ///< on several ranks its cells are told to rank 0 alone
     cell_shapes cells() const;
     axial_profile axial(int slices = 100) const;
     summary summarise() const;
@@ -100,9 +103,9 @@ class furnace {
     /// Changes the burners while the furnace runs: premixed gas of all burners [kg/s].
     void set_burner_flow(double mass_flow);
 
-    /// For checkpoints; between two steps, in any phase.
+    /// For checkpoints; between two steps, in any phase.  This rank's part.
     saved_state save() const;
-    /// Into a furnace of the same settings.  Throws bad_scene, with the furnace as it was, for a state of another scene or
+    /// Into a furnace of the same settings, on every rank the whole state.  Throws bad_scene, with the furnace as it was, for a state of another scene or
     /// one that lacks something.
     void restore(const saved_state& state);
 

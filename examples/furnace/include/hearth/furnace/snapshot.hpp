@@ -46,6 +46,8 @@ struct axial_profile {
 
 /// All that the next step depends on, by name: a furnace that restores it goes on as if it had never stopped, bit for bit.
 /// DEM's state is bytes; they are held in the numbers' bits.  Wall times are in it too, under "seconds".
+/// On several ranks each rank saves a part.  The state is then, under every name, the parts' numbers one behind the other in
+/// order of rank; any number of ranks goes on from it, another number to the solvers' tolerance.
 using saved_state = std::map<std::string, std::vector<double>>;
 
 }  // namespace hearth::furnace
