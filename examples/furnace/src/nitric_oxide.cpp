@@ -9,6 +9,10 @@
 
 namespace hearth::furnace {
 
+namespace {
+constexpr double least_temperature = 1400;  // below it makes none that counts [K]
+}
+
 std::vector<double> thermal_nitric_oxide_of(const shaft_gas& shaft) {
     const gas::mesh& m = shaft.grid();
     const auto& gas = shaft.solver.gas;
@@ -30,6 +34,11 @@ std::vector<double> thermal_nitric_oxide_of(const shaft_gas& shaft) {
     std::vector<int> upwards(own);  // gas rises, so few sweeps in this order settle it
     std::iota(upwards.begin(), upwards.end(), 0);
     std::sort(upwards.begin(), upwards.end(), [&](int a, int b) { return m.centre[a].z != m.centre[b].z ? m.centre[a].z < m.centre[b].z : a < b; });
+    // The sweeps change NO alone, so what else the hot gas holds is found once.
+    std::vector<combustion::per_species> hot(own);
+    for (const int c : upwards) {
+        if (gas.temperature[c] > least_temperature) hot[static_cast<std::size_t>(c)] = shaft.composition(c);
+    }
     for (int sweep = 0; sweep < 30; ++sweep) {
         double change = 0, largest = 0;
         for (const int c : upwards) {
@@ -39,8 +48,8 @@ std::vector<double> thermal_nitric_oxide_of(const shaft_gas& shaft) {
             for (const inflow& in : inflows[k]) brought += in.mass * no[static_cast<std::size_t>(in.from)];
             const double t = gas.temperature[c];
             double made = 0, slope = 0;  // [mol/s], [kg/s]
-            if (t > 1400) {
-                const auto n = shaft.composition(c);
+            if (t > least_temperature) {
+                const combustion::per_species& n = hot[k];
                 const double moles = combustion::sum(n), volume = m.volume[c] * shaft.solver.bed.void_fraction[c];
                 const auto x = combustion::mole_fractions(n);
                 const auto rate = [&](double amount) {

@@ -158,12 +158,24 @@ summary furnace::summarise() const {
         tell("gas", hottest.temperature, hottest.number, hottest.height);
         tell("stone", now.peak_particle_temperature, hottest.of_stone, x.z);
     }
-    if (const auto& chemistry = p.shaft.chemistry(); chemistry && chemistry->unfinished > 0) {
+    if (const auto& chemistry = p.shaft.chemistry()) {
+        struct unfinished {
+            std::int64_t times, first;
+            double height;
+        };
+        const gas::mesh& m = p.shaft.grid();
+        const int c = std::max(0, static_cast<int>(chemistry->first_unfinished));
+        std::int64_t times = 0;
+        const unfinished* worst = nullptr;
+        const auto of_ranks = p.among.gather(std::vector<unfinished>{{chemistry->unfinished, mesh_traits<gas::mesh>::global_index(m, c), m.centre[c].z}});
+        for (const unfinished& here : of_ranks) {
+            times += here.times;
+            if (worst == nullptr || here.times > worst->times) worst = &here;
+        }
         std::ostringstream text;
-        const int c = static_cast<int>(chemistry->first_unfinished);
-        text << "chemistry did not finish in a cell " << chemistry->unfinished << " times, first in cell " << c << " at "
-             << p.shaft.grid().centre[c].z << " m; the gas there was left as it was";
-        s.warnings.push_back(text.str());
+        text << "chemistry did not finish in a cell " << times << " times, first in cell " << worst->first << " at " << worst->height
+             << " m; the gas there was left as it was";
+        if (times > 0) s.warnings.push_back(text.str());
     }
     if (const std::string text = acceleration_warning(p.scene, p.scene.time.acceleration_factor); !text.empty()) s.warnings.push_back(text);
     if (p.clamped > 0) s.warnings.push_back("closures were asked outside of the range they were fitted in, see clamped_evaluations");
