@@ -33,7 +33,8 @@ Results:
 
 Ctrl-C and SIGTERM write a checkpoint and stop.
 
-On several cores: mpirun -np 4 furnace column.toml.  A run goes on from its checkpoints on any number of ranks.
+On several cores: mpirun -np 4 furnace column.toml.  A run goes on from its checkpoints on any number of ranks.  Open MPI kills
+ranks a second after it has told them to stop; --mca odls_base_sigkill_timeout 30 gives long steps the time to end.
 
 Exit codes: 0 done; 1 failed while it ran; 2 the command line or the scene is wrong; 3 a file is wrong or cannot be written;
 128 + signal: stopped by it, with a checkpoint.

@@ -59,12 +59,12 @@ TEST_CASE("program on ranks: one voice, whole files, and the answer of one rank"
 TEST_CASE("program on ranks: stopped by a signal to mpirun, it goes on with the same bits") {
     const fs::path folder = fresh("ranks_stopped"), calm = folder / "calm", own = folder / "stopped";
     const auto arguments = [&, scene = small_scene(folder).string()](const fs::path& output) {
-        // Long enough for the signal to pass through mpirun.
-        return std::vector<std::string>{scene, "--output", output, "--set", "output.checkpoint_interval_s=1000", "--set", "time.couplings=30"};
+        // Long enough for the signal to pass through mpirun, which takes a second.
+        return std::vector<std::string>{scene, "--output", output, "--set", "output.checkpoint_interval_s=1000", "--set", "time.couplings=80"};
     };
     CHECK(run_on_two(folder, arguments(calm)).code == 0);
     const ending stopped = run_on_two(folder, arguments(own), [&](pid_t child) {
-        wait_for(own / "cells_0000.hdf");
+        wait_for(own / "scene.toml");
         kill(child, SIGTERM);
     });
     INFO(stopped.err);
