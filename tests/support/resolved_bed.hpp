@@ -109,7 +109,7 @@ struct resolved_space {
 class resolved_flow {
   public:
     resolved_flow(resolved_space s, double density, double viscosity)
-        : space(std::move(s)), density_(density), viscosity_(viscosity) {
+        : space(std::move(s)), density_(density) {
         auto model = std::make_shared<gas::simple_gas>();
         model->constant_density = density;
         model->sutherland = 0;
@@ -157,7 +157,7 @@ class resolved_flow {
     std::unique_ptr<gas::solver> solver;
 
   private:
-    double density_, viscosity_, inflow_ = 0;
+    double density_, inflow_ = 0;
 };
 
 /// Drag of creeping flow on a sphere in a simple cubic array over that of Stokes, 3 pi mu d U with the superficial
