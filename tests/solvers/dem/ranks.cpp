@@ -9,8 +9,6 @@
 
 #include <hearth/core/error.hpp>
 
-#include <hearth/dem/moving_bed.hpp>
-
 #include "solvers/dem/balls.hpp"
 #include "solvers/dem/shared.hpp"
 #include "support/random.hpp"
@@ -182,7 +180,6 @@ TEST_CASE("ranks: a fault on one rank is an error on all, and what was refused h
         const double place = mine.among().rank() == 0 ? 50 * d : 51 * d;
         CHECK_THROWS_AS(mine.insert({ball({0, 0, place}, {})}), hearth::bad_value);  // not the same everywhere
         CHECK_THROWS_AS(mine.near_pairs(2.5), hearth::bad_value);                    // not what the ghosts are there for
-        CHECK_THROWS_AS(surroundings::of(mine), hearth::bad_value);                  // moved by a rule, on one rank alone
     }
     CHECK(differing(mine, alone) == 0);
 

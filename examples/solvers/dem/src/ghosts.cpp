@@ -18,7 +18,7 @@ struct packed_ghost {
 };
 struct packed_state {
     vector3 centre, velocity, spin;
-    double temperature;
+    double temperature, inverse_mass, inverse_inertia;
 };
 
 template <class Value>
@@ -31,9 +31,13 @@ std::vector<link> in_bytes(std::vector<link> links) {
 }
 
 template <class Value>
-const char* bytes_of(const std::vector<Value>& values) { return reinterpret_cast<const char*>(values.data()); }
+const char* bytes_of(const std::vector<Value>& values) {
+    return reinterpret_cast<const char*>(values.data());
+}
 template <class Value>
-char* bytes_of(std::vector<Value>& values) { return reinterpret_cast<char*>(values.data()); }
+char* bytes_of(std::vector<Value>& values) {
+    return reinterpret_cast<char*>(values.data());
+}
 
 }  // namespace
 
@@ -88,7 +92,8 @@ std::vector<index> ghosts::make(store& particles, double largest_radius, double 
             particles.leads[i] = g.ahead;
             particles.ids[i] = g.id;
             particles.temperatures[i] = g.temperature;
-            if (is_near(g.centre[axis_], contact_width(particles.spheres[i]), mine())) touching.push_back(static_cast<index>(i));
+            if (is_near(g.centre[axis_], contact_width(particles.spheres[i]), mine()))
+                touching.push_back(static_cast<index>(i));
         }
     }
     return touching;
@@ -106,14 +111,16 @@ void ghosts::want(const store& particles, const pair_list& pairs) {
     std::vector<parcel<char>> outgoing;
     for (const link& from : imports_) {
         const std::size_t first = moved_in_.size();
-        outgoing.push_back({from.rank, {wanted.begin() + static_cast<std::ptrdiff_t>(from.begin),
-                                        wanted.begin() + static_cast<std::ptrdiff_t>(from.end)}});
+        outgoing.push_back({from.rank,
+                            {wanted.begin() + static_cast<std::ptrdiff_t>(from.begin),
+                             wanted.begin() + static_cast<std::ptrdiff_t>(from.end)}});
         for (std::size_t g = from.begin; g < from.end; ++g)
             if (wanted[g]) moved_in_.push_back(static_cast<index>(particles.owned + g));
         links_in.push_back({from.rank, first, moved_in_.size()});
     }
     for (const auto& to : among_->exchange(std::move(outgoing))) {
-        const auto export_to = std::find_if(exports_.begin(), exports_.end(), [&](const link& l) { return l.rank == to.rank; });
+        const auto export_to =
+            std::find_if(exports_.begin(), exports_.end(), [&](const link& l) { return l.rank == to.rank; });
         const std::size_t first = moved_out_.size();
         for (std::size_t k = 0; k < to.values.size(); ++k)
             if (to.values[k]) moved_out_.push_back(exported_[export_to->begin + k]);
@@ -128,7 +135,8 @@ void ghosts::want(const store& particles, const pair_list& pairs) {
 void ghosts::begin_motion(const store& particles) {
     for (std::size_t k = 0; k < moved_out_.size(); ++k) {
         const auto i = static_cast<std::size_t>(moved_out_[k]);
-        outgoing_[k] = {particles.spheres[i].centre, particles.motions[i].velocity, particles.motions[i].spin, particles.leads[i]};
+        outgoing_[k] = {particles.spheres[i].centre, particles.motions[i].velocity, particles.motions[i].spin,
+                        particles.leads[i]};
     }
     among_->begin(bytes_of(outgoing_), bytes_out_, bytes_of(incoming_), bytes_in_);
 }
@@ -149,17 +157,19 @@ void ghosts::update(store& particles) {
     std::vector<packed_state> outgoing, incoming(particles.total() - particles.owned);
     for (const index e : exported_) {
         const auto i = static_cast<std::size_t>(e);
-        outgoing.push_back({particles.spheres[i].centre, particles.motions[i].velocity, particles.motions[i].spin,
-                            particles.temperatures[i]});
+        const motion& m = particles.motions[i];
+        outgoing.push_back({particles.spheres[i].centre, m.velocity, m.spin, particles.temperatures[i], m.inverse_mass,
+                            m.inverse_inertia});
     }
-    among_->begin(bytes_of(outgoing), in_bytes<packed_state>(exports_), bytes_of(incoming), in_bytes<packed_state>(imports_));
+    among_->begin(bytes_of(outgoing), in_bytes<packed_state>(exports_), bytes_of(incoming),
+                  in_bytes<packed_state>(imports_));
     among_->end();
     for (std::size_t k = 0; k < incoming.size(); ++k) {
         const std::size_t i = particles.owned + k;
-        particles.spheres[i].centre = incoming[k].centre;
-        particles.motions[i].velocity = incoming[k].velocity;
-        particles.motions[i].spin = incoming[k].spin;
-        particles.temperatures[i] = incoming[k].temperature;
+        const packed_state& p = incoming[k];
+        particles.spheres[i].centre = p.centre;
+        particles.motions[i] = {p.velocity, p.inverse_mass, p.spin, p.inverse_inertia};
+        particles.temperatures[i] = p.temperature;
     }
 }
 

@@ -33,7 +33,7 @@ class ghosts {
     void begin_motion(const store& particles);
     void end_motion(store& particles);
 
-    /// Positions, motions and temperatures of all.
+    /// Positions, motions, masses and temperatures of all.
     void update(store& particles);
 
     /// Ranks that own the ghosts.

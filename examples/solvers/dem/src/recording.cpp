@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <hearth/dem/recording.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -9,6 +7,7 @@
 
 #include <hearth/core/constants.hpp>
 #include <hearth/core/error.hpp>
+#include <hearth/dem/recording.hpp>
 
 #include "archive.hpp"
 #include "check.hpp"
@@ -21,7 +20,6 @@ using detail::check;
 namespace {
 
 constexpr std::uint64_t magic = 0x3130'6472'6f63'6572u;  // what it is, and its version
-constexpr std::uint64_t magic_of_recorder = 0x3130'7372'6463'6572u;
 
 /// Where the slots of a frame were in the one before, or passage::fed; and the places in that whose slots are gone.
 void follow(const recording::frame& before, const recording::frame& after, std::vector<index>& origin,
@@ -66,105 +64,6 @@ std::size_t motion_field::bin(const vector3& x) const {
     };
     return place(d.z / shaft.height, layers) * static_cast<std::size_t>(rings) +
            place(std::hypot(d.x, d.y) / shaft.radius, rings);
-}
-
-recorder::recorder(const recording::settings& s) : settings_(s) {
-    check(is_finite(s.shaft.base), "base of zone", norm(s.shaft.base), "finite [m]");
-    check(s.shaft.radius > 0 && std::isfinite(s.shaft.radius), "radius of zone", s.shaft.radius, "finite and > 0 [m]");
-    check(s.shaft.height > 0 && std::isfinite(s.shaft.height), "height of zone", s.shaft.height, "finite and > 0 [m]");
-    check(s.rings > 0, "rings", s.rings, "> 0");
-    check(s.layers > 0, "layers", s.layers, "> 0");
-    check(s.size_weight >= 0 && std::isfinite(s.size_weight), "size_weight", s.size_weight, "finite and >= 0 [-]");
-}
-
-void recorder::meet(const bed& b) {
-    check(!b.is_shared(), "number of ranks of the bed", b.among().size(), "1: motion is recorded on one rank");
-    const std::vector<int> contacts = b.contact_counts();
-    std::vector<index> arrived;
-    for (index i = 0; i < b.size(); ++i)
-        if (contacts[static_cast<std::size_t>(i)] >= 2 && slots_.count(b.ids()[i]) == 0) arrived.push_back(i);
-    std::sort(arrived.begin(), arrived.end(), [&](index i, index j) { return b.ids()[i] < b.ids()[j]; });
-    for (const index i : arrived) {
-        slots_.emplace(b.ids()[i], static_cast<std::uint32_t>(record_.radii_.size()));
-        record_.radii_.push_back(b.spheres()[i].radius);
-        record_.masses_.push_back(b.mass(i));
-    }
-}
-
-bool recorder::observe(const bed& b) {
-    meet(b);
-    std::vector<std::pair<std::uint32_t, index>> seen;
-    for (index i = 0; i < b.size(); ++i) {
-        const auto known = slots_.find(b.ids()[i]);
-        if (known != slots_.end()) seen.emplace_back(known->second, i);
-    }
-    std::sort(seen.begin(), seen.end());
-    double gone = 0;
-    if (!record_.frames_.empty()) {
-        std::size_t k = 0;
-        for (const std::uint32_t slot : record_.frames_.back().slots) {
-            if (k < seen.size() && seen[k].first == slot) ++k;
-            else gone += record_.masses_[slot];
-        }
-        if (gone == 0) return false;
-    }
-    mass_left_ += gone;
-    recording::frame f;
-    for (const auto& [slot, i] : seen) {
-        f.slots.push_back(slot);
-        f.centres.push_back(b.spheres()[i].centre);
-    }
-    record_.frames_.push_back(std::move(f));
-    return true;
-}
-
-recording recorder::finish() const {
-    const std::size_t count = record_.frames_.size();
-    check(count > 1, "number of frames", static_cast<double>(count), "> 1: particles must leave the bed while it is recorded");
-    const auto size_of = [&](std::size_t k) { return static_cast<double>(record_.frames_[k].slots.size()); };
-    std::size_t last = count - 1;
-    for (std::size_t k = count - 1; k > 0 && 2 * k >= count; --k)
-        if (std::fabs(size_of(k) - size_of(0)) < std::fabs(size_of(last) - size_of(0))) last = k;
-    const double change = (size_of(last) - size_of(0)) / size_of(0);
-    check(std::fabs(change) <= 0.05, "relative change of the number of particles while recorded", change, "within 0.05");
-    recording done = record_;
-    done.frames_.resize(last + 1);
-    done.join(settings_.size_weight);
-    done.average(settings_);
-    return done;
-}
-
-std::vector<char> recorder::state() const {
-    std::vector<std::int64_t> ids;
-    std::vector<std::uint32_t> slots;
-    for (const auto& [id, slot] : slots_) {
-        ids.push_back(id);
-        slots.push_back(slot);
-    }
-    detail::writer archive;
-    archive(magic_of_recorder);
-    archive(record_.bytes());
-    archive(ids);
-    archive(slots);
-    archive(mass_left_);
-    archive(detail::checksum(archive.out.data(), archive.out.size()));
-    return std::move(archive.out);
-}
-
-void recorder::restore(const std::vector<char>& state) {
-    detail::reader archive = detail::opened(state, magic_of_recorder, "a recorder");
-    recorder read(settings_);
-    std::vector<char> record;
-    std::vector<std::int64_t> ids;
-    std::vector<std::uint32_t> slots;
-    archive(record);
-    archive(ids);
-    archive(slots);
-    archive(read.mass_left_);
-    read.record_ = recording::read(record);
-    if (slots.size() != ids.size()) throw state_error("hearth: the state of a recorder has not a slot for each particle");
-    for (std::size_t k = 0; k < ids.size(); ++k) read.slots_.emplace(ids[k], slots[k]);
-    *this = std::move(read);
 }
 
 /// Of the last frame the lowest leave if there are too many; of the first the highest are fed if there are too few.
@@ -214,7 +113,8 @@ void recording::average(const settings& s) {
         for (const index i : gone) left += masses_[frames_[f].slots[static_cast<std::size_t>(i)]];
         for (std::size_t i = 0; i < origin.size(); ++i) {
             if (origin[i] == passage::fed) continue;
-            const vector3 before = frames_[f].centres[static_cast<std::size_t>(origin[i])], way = frames_[f + 1].centres[i] - before;
+            const vector3 before = frames_[f].centres[static_cast<std::size_t>(origin[i])],
+                          way = frames_[f + 1].centres[i] - before;
             const vector3 middle = before + 0.5 * way, d = middle - s.shaft.base;
             const double r = std::hypot(d.x, d.y);
             const std::size_t at = field_.bin(middle);
@@ -230,7 +130,8 @@ void recording::average(const settings& s) {
     double looked_at = 0;
     for (std::size_t f = 0; f < frames_.size(); f += stride, looked_at += 1) {
         for (const sphere& ball : spheres(f)) {
-            const double share = 4.0 / 3.0 * constants<double>::pi() * std::pow(ball.radius, 3) / static_cast<double>(points.size());
+            const double share =
+                4.0 / 3.0 * constants<double>::pi() * std::pow(ball.radius, 3) / static_cast<double>(points.size());
             for (const vector3& p : points) {
                 const vector3 x = ball.centre + ball.radius * p, d = x - s.shaft.base;
                 if (d.z < 0 || d.z >= s.shaft.height || std::hypot(d.x, d.y) >= s.shaft.radius) continue;
@@ -315,14 +216,15 @@ std::uint64_t recording::fingerprint() const {
     return sum;
 }
 
-recorded_bed::recorded_bed(std::shared_ptr<const recording> record, surroundings around, double mass_flow)
-    : moving_bed(given(record).spheres(0), given(record).masses(0), std::move(around), mass_flow),
+recorded_bed::recorded_bed(std::shared_ptr<const recording> record, surroundings around, double mass_flow,
+                           const decomposition& spread)
+    : moving_bed({given(record).spheres(0), given(record).masses(0), {}}, std::move(around), mass_flow, spread),
       record_(std::move(record)),
       fingerprint_(record_->fingerprint()) {}
 
 vector3 recorded_bed::velocity(index i) const {
     const motion_field& field = record_->field();
-    const vector3& x = at(i).centre;
+    const vector3& x = spheres()[static_cast<std::size_t>(i)].centre;
     const motion_field::mean& mean = field.bins[field.bin(x)];
     const vector3 d = x - field.shaft.base;
     const double r = std::hypot(d.x, d.y), outward = r > 0 ? mass_flow() * mean.radial / r : 0.0;
@@ -337,14 +239,15 @@ void recorded_bed::next(std::vector<index>& origin, std::vector<index>& leaving)
         follow(frames[here], frames[here + 1], origin, leaving);
     } else {
         origin = record_->wrap();
-        std::vector<char> stays(spheres_.size(), 0);
+        std::vector<char> stays(all_.spheres.size(), 0);
         for (const index o : origin)
             if (o != passage::fed) stays[static_cast<std::size_t>(o)] = 1;
         leaving.clear();
-        for (index i = 0; i < size(); ++i)
-            if (!stays[static_cast<std::size_t>(i)]) leaving.push_back(i);
+        for (std::size_t i = 0; i < stays.size(); ++i)
+            if (!stays[i]) leaving.push_back(static_cast<index>(i));
     }
-    std::stable_sort(leaving.begin(), leaving.end(), [&](index i, index j) { return at(i).centre.z < at(j).centre.z; });
+    const auto height = [&](index i) { return all_.spheres[static_cast<std::size_t>(i)].centre.z; };
+    std::stable_sort(leaving.begin(), leaving.end(), [&](index i, index j) { return height(i) < height(j); });
 }
 
 void recorded_bed::move(double, passage& done) {
@@ -353,18 +256,18 @@ void recorded_bed::move(double, passage& done) {
         moved = false;
         next(origin, leaving);
         double needed = 0;
-        for (const index i : leaving) needed += masses_[static_cast<std::size_t>(i)];
+        for (const index i : leaving) needed += all_.masses[static_cast<std::size_t>(i)];
         if (needed > ledger_.due || !(mass_flow_ > 0)) break;
         moved = true;
         ledger_.due -= needed;
         done.mass_out += needed;
         for (const index i : leaving) {
             const auto k = static_cast<std::size_t>(i);
-            done.left.push_back({done.origin[k], ids_[k], masses_[k]});
+            done.left.push_back({done.origin[k], all_.ids[k], all_.masses[k]});
         }
         const std::size_t frame_number = (ledger_.place + 1) % record_->frames().size();
         ledger_.place = frame_number;
-        spheres_ = record_->spheres(frame_number);
+        all_.spheres = record_->spheres(frame_number);
         std::vector<double> of_slots = record_->masses(frame_number);
         std::vector<std::int64_t> ids(origin.size());
         std::vector<index> came_from(origin.size(), passage::fed);
@@ -374,13 +277,13 @@ void recorded_bed::move(double, passage& done) {
                 done.mass_in += of_slots[k];
             } else {
                 const auto before = static_cast<std::size_t>(origin[k]);
-                ids[k] = ids_[before];
-                of_slots[k] = masses_[before];
+                ids[k] = all_.ids[before];
+                of_slots[k] = all_.masses[before];
                 came_from[k] = done.origin[before];
             }
         }
-        masses_.swap(of_slots);
-        ids_.swap(ids);
+        all_.masses.swap(of_slots);
+        all_.ids.swap(ids);
         done.origin.swap(came_from);
     }
 }

@@ -92,8 +92,9 @@ class bed {
     index ghost_count() const;
     /// Rank that owns the ghost with the index i >= size().
     int ghost_owner(index i) const;
-    /// Positions, motions and temperatures of all ghosts become those of their owners.  To be called after advance() and
-    /// after temperatures have changed, before neighbours or temperatures of ghosts are read.  Together.
+    /// Positions, motions, masses and temperatures of all ghosts become those of their owners.  To be called after advance()
+    /// and after temperatures have changed, before neighbours or temperatures of ghosts are read, and after set_mass() before
+    /// the next advance().  Together.
     void update_ghosts();
     const sphere* spheres() const;
     const motion* motions() const;

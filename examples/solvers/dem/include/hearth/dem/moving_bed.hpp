@@ -7,8 +7,8 @@
 
 #include <hearth/core/contact_traits.hpp>
 #include <hearth/core/particle_traits.hpp>
-
 #include <hearth/dem/feed.hpp>
+#include <hearth/dem/passage.hpp>
 
 /// Beds that are moved by a rule instead of by forces, for as long as asked, on the clock of the process.
 namespace hearth::dem {
@@ -19,49 +19,37 @@ struct surroundings {
     std::vector<wall> walls;
     std::vector<contact_law> wall_laws;
 
-    /// Those of a bed, without its open walls.  Throws bad_value for a wall that moves and is no belt, and
-    /// for a bed on several ranks.
+    /// Those of a bed, without its open walls.  Throws bad_value for a wall that moves and is no belt.
     static surroundings of(const bed& b);
 };
 
-/// What a move did to the particles.  They stay the same particles; only their indices change.
-struct passage {
-    static constexpr index fed = -1;
-    struct leaver {
-        index from;       ///< its index before the move; `fed` if it came and left in the same move
-        std::int64_t id;
-        double mass;      ///< [kg]
-    };
-
-    std::vector<index> origin;  ///< of each particle that there is now: its index before, or `fed`
-    std::vector<leaver> left;   ///< in the order of leaving
-    double mass_in = 0, mass_out = 0;  ///< [kg]
-
-    /// Takes what belongs to particles (temperature, moisture, ...) along.
-    template <class Value>
-    void carry(std::vector<Value>& values, const Value& of_feed) const {
-        std::vector<Value> now(origin.size(), of_feed);
-        for (std::size_t i = 0; i < origin.size(); ++i)
-            if (origin[i] != fed) now[i] = values[static_cast<std::size_t>(origin[i])];
-        values.swap(now);
-    }
-};
-
-/// A bed that is fed on top and taken from below at a mass flow.  A particle is a mass and an id; it sits where a sphere is.
+/// A bed that is fed on top and taken from below at a mass flow.  A particle is a mass and an id; it sits where a
+/// sphere is.
 ///
-/// Mass is exact: what has left and what is due make up mass flow times time, and what has come in, less what has left, is
-/// what the bed holds more.  Contacts have the elastic force of the motion's (softened) law at the overlap.
+/// Mass is exact: what has left and what is due make up mass flow times time, and what has come in, less what has left,
+/// is what the bed holds more.  Contacts have the elastic force of the motion's (softened) law at the overlap.
+///
+/// A bed may be spread over ranks, as a DEM bed may: each owns the particles 0 <= i < size() of a slab, as many as the
+/// others, and behind them stand ghosts, as far as the decomposition's near_factor asks, contacts at least.  Where
+/// everybody is, every rank knows, and moves in the same way: the bed has the bits of one rank.  All ranks make the
+/// same calls with the same values, and make the bed of the same; "together" are those that speak to other ranks.
 class moving_bed {
   public:
+    /// Everybody that belongs to a bed or to a rank's part of it.
+    struct population {
+        std::vector<sphere> spheres;
+        std::vector<double> masses;     ///< [kg]
+        std::vector<std::int64_t> ids;  ///< empty: 0, 1, ...
+    };
     struct ledger {
-        double due = 0;           ///< mass that should have left and has not [kg]; below 0: left early
-        double in = 0, out = 0;   ///< since the start [kg]
+        double due = 0;          ///< mass that should have left and has not [kg]; below 0: left early
+        double in = 0, out = 0;  ///< since the start [kg]
         std::int64_t next_id = 0;
         std::uint64_t place = 0;  ///< in the motion that is repeated
     };
 
     virtual ~moving_bed() = default;
-    /// Moves on by so many seconds of the process.  Throws bad_value with the bed as it was.
+    /// Moves on by so many seconds of the process.  Throws bad_value with the bed as it was.  Together.
     passage advance(double seconds);
     /// Mean velocity, on the clock of the process, where a particle is now [m/s].
     virtual vector3 velocity(index i) const = 0;
@@ -70,12 +58,20 @@ class moving_bed {
     /// From now on [kg/s].  Throws bad_value.
     void set_mass_flow(double kg_per_s);
 
-    index size() const { return static_cast<index>(spheres_.size()); }
-    const std::vector<sphere>& spheres() const { return spheres_; }
-    const std::vector<double>& masses() const { return masses_; }
-    const std::vector<std::int64_t>& ids() const { return ids_; }
+    /// Of this rank; the arrays go on with the ghosts.
+    index size() const { return owned_; }
+    index ghost_count() const { return static_cast<index>(ghost_owners_.size()); }
+    /// Rank that owns the ghost with the index i >= size().
+    int ghost_owner(index i) const { return ghost_owners_[static_cast<std::size_t>(i - owned_)]; }
+    const std::vector<sphere>& spheres() const { return here().spheres; }
+    const std::vector<double>& masses() const { return here().masses; }
+    const std::vector<std::int64_t>& ids() const { return here().ids; }
+    ranks& among() const { return *spread_.among; }
+    bool is_shared() const { return spread_.among->size() > 1; }  ///< by more than one rank
+    /// Of all ranks, in an order that is the same on each.
+    const population& everybody() const { return all_; }
     const ledger& now() const { return ledger_; }
-    double total_mass() const;
+    double total_mass() const;  ///< of all ranks [kg]
     /// Grows with each move.
     std::uint64_t revision() const { return revision_; }
 
@@ -85,6 +81,8 @@ class moving_bed {
     double patch_temperature(int patch) const;
 
     /// Pairs of centres closer than factor * (R_i + R_j), each once; found anew after a move, or for a larger factor.
+    /// j may be a ghost, and then the other rank visits the pair too; the factor is at most 1 or the decomposition's:
+    /// throws bad_value.
     template <class Visit>
     void for_each_near(double factor, Visit&& visit) const {
         for (const bed::pair& p : pairs_within(factor)) {
@@ -115,35 +113,42 @@ class moving_bed {
         }
     }
 
-    /// All that the next move depends on but what the bed was made of, with a checksum; in the byte order of this machine.
+    /// All that the next move depends on but what the bed was made of, with a checksum; in the byte order of this
+    /// machine. The same on every rank, and good for any number of ranks.
     std::vector<char> state() const;
     /// Into a bed made of the same.  Throws state_error with the bed as it was.
     void restore(const std::vector<char>& state);
 
   protected:
-    moving_bed(std::vector<sphere> spheres, std::vector<double> masses, surroundings around, double mass_flow);
+    moving_bed(population all, surroundings around, double mass_flow, const decomposition& spread);
     moving_bed(const moving_bed&) = default;
     moving_bed& operator=(const moving_bed&) = default;
 
-    /// Fills `done`, whose origin is that of no move; due is already raised.
+    /// Moves everybody and fills `done` for everybody; its origin is that of no move, and due is already raised.
     virtual void move(double seconds, passage& done) = 0;
     /// Tells what a bed was made of from what another one was.
     virtual std::uint64_t fingerprint() const = 0;
 
-    const sphere& at(index i) const { return spheres_[static_cast<std::size_t>(i)]; }
-
-    std::vector<sphere> spheres_;
-    std::vector<double> masses_;
-    std::vector<std::int64_t> ids_;
+    population all_;
     ledger ledger_;
     double mass_flow_ = 0;
 
   private:
+    const population& here() const { return is_shared() ? mine_ : all_; }
+    const sphere& at(index i) const { return here().spheres[static_cast<std::size_t>(i)]; }
+    void divide();
+    passage part_of(const passage& whole);
     const std::vector<bed::pair>& pairs_within(double factor) const;
     double distance_to_wall(index i, std::size_t wall_number) const;
 
     surroundings around_;
+    decomposition spread_;
     std::uint64_t revision_ = 1;
+    index owned_ = 0;
+    std::vector<int> ghost_owners_;
+    population mine_;            ///< on several ranks: owned, then ghosts
+    std::vector<int> owners_;    ///< on several ranks: of everybody
+    std::vector<index> places_;  ///< on their owners
     struct near_state {
         std::vector<bed::pair> pairs;
         double factor = 0;
@@ -155,10 +160,11 @@ class moving_bed {
 /// A bed that does not move.
 class frozen_bed final : public moving_bed {
   public:
-    frozen_bed(std::vector<sphere> spheres, std::vector<double> masses, surroundings around)
-        : moving_bed(std::move(spheres), std::move(masses), std::move(around), 0.0) {}
-    /// The spheres of a bed as they are.
-    explicit frozen_bed(const bed& b);
+    frozen_bed(std::vector<sphere> spheres, std::vector<double> masses, surroundings around,
+               const decomposition& spread = {})
+        : moving_bed({std::move(spheres), std::move(masses), {}}, std::move(around), 0.0, spread) {}
+    /// The spheres of a bed as they are, with their ids.  Together: those of all ranks, the lowest id first.
+    explicit frozen_bed(const bed& b, const decomposition& spread = {});
     vector3 velocity(index) const override { return {}; }
 
   private:
@@ -166,13 +172,13 @@ class frozen_bed final : public moving_bed {
     std::uint64_t fingerprint() const override { return 1; }
 };
 
-/// A bed that sinks as a body through a zone: what falls below its base comes back on top, as feed.  The packing ought to be
-/// one that continues there; else top and bottom overlap where they meet.
+/// A bed that sinks as a body through a zone: what falls below its base comes back on top, as feed.  The packing ought
+/// to be one that continues there; else top and bottom overlap where they meet.
 class plug_bed final : public moving_bed {
   public:
     /// Centres lie in the zone.  Throws bad_value.
     plug_bed(std::vector<sphere> spheres, std::vector<double> masses, const zone& shaft, surroundings around,
-             double mass_flow);
+             double mass_flow, const decomposition& spread = {});
     vector3 velocity(index) const override { return {0, 0, -mass_flow_ / mass_per_height_}; }
 
   private:

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <hearth/core/communicator.hpp>
+#include <hearth/core/particle_halo.hpp>
 
 namespace hearth::dem {
 
@@ -27,7 +28,8 @@ class ranks {
     virtual double max(double mine) const = 0;
     virtual std::int64_t max(std::int64_t mine) const = 0;
     virtual void sum(std::int64_t* values, std::size_t count) const = 0;
-    /// Sends each parcel to its rank and returns what came, in order of rank.  Throws std::length_error from 2 GB a parcel.
+    /// Sends each parcel to its rank and returns what came, in order of rank.  Throws std::length_error from 2 GB a
+    /// parcel.
     virtual std::vector<parcel<char>> exchange(std::vector<parcel<char>> outgoing) const = 0;
     /// A pattern of messages, ended by end(); one at a time.
     virtual void begin(const char* outgoing, const std::vector<link>& exports, char* incoming,
@@ -74,8 +76,9 @@ std::shared_ptr<ranks> over(Communicator communicator) {
             bool fits = true;
             for (const auto& to : outgoing) fits = fits && to.values.size() < std::numeric_limits<int>::max();
             if (communicator_.any(!fits)) {
-                throw std::length_error("hearth: more than 2 GB of particles go from one rank to another at once; "
-                                        "insert them in several calls");
+                throw std::length_error(
+                    "hearth: more than 2 GB of particles go from one rank to another at once; "
+                    "insert them in several calls");
             }
             return communicator_.exchange(std::move(outgoing));
         }
@@ -99,5 +102,14 @@ struct decomposition {
     int axis = 2;            ///< of the cuts: 0, 1 or 2; slabs cost least across the longest side of the bed
     double near_factor = 0;  ///< largest factor that bed::for_each_near() is asked for [-]; 0: contacts alone
 };
+
+/// The ghosts of a bed on several ranks, in its order, for a hearth::particle_halo.
+template <class Bed>
+std::vector<ghost_particle> ghosts_of(const Bed& b) {
+    std::vector<ghost_particle> found;
+    for (auto i = b.size(); i < b.size() + b.ghost_count(); ++i)
+        found.push_back({b.ids()[static_cast<std::size_t>(i)], b.ghost_owner(i)});
+    return found;
+}
 
 }  // namespace hearth::dem

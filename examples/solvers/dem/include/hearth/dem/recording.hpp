@@ -28,15 +28,15 @@ struct motion_field {
 
 /// A recorded motion: frames of a bed that is fed and discharged steadily, and how the last one goes on as the first.
 ///
-/// A *slot* is where one particle of the DEM run has been, from frame to frame, from its rest on the bed until it left; each
-/// frame is a packing of the DEM run as it was.  At the end particles step from the slots of the last frame to those of the
-/// first: each to one of its own, near, and of about its size.
+/// A *slot* is where one particle of the DEM run has been, from frame to frame, from its rest on the bed until it left;
+/// each frame is a packing of the DEM run as it was.  At the end particles step from the slots of the last frame to
+/// those of the first: each to one of its own, near, and of about its size.
 class recording {
   public:
     struct settings {
-        zone shaft{};           ///< of the field
+        zone shaft{};  ///< of the field
         int rings = 8, layers = 16;
-        double size_weight = 4; ///< how much a step may be longer for a better fit of radii [-]
+        double size_weight = 4;  ///< how much a step may be longer for a better fit of radii [-]
     };
     struct frame {
         std::vector<std::uint32_t> slots;  ///< rising
@@ -73,27 +73,28 @@ class recording {
 
     std::vector<double> radii_, masses_;  ///< of slots
     std::vector<frame> frames_;
-    std::vector<index> wrap_;  ///< of each slot of the first frame: place in the last frame of who comes, or passage::fed
+    /// Of each slot of the first frame: place in the last frame of who comes, or passage::fed.
+    std::vector<index> wrap_;
     motion_field field_;
     seam seam_;
 };
 
-/// Watches a bed that is fed and discharged steadily.
+/// Watches a bed that is fed and discharged steadily.  On several ranks all make the calls together, and each gets the
+/// same recording, that of the whole bed: the bits of one rank.
 class recorder {
   public:
     /// Throws bad_value.
     explicit recorder(const recording::settings& s);
     /// Counts those in who rest on two others, or on one and a wall; from then on they are of the bed, even where they touch
-    /// nobody for a while.  Call it now and then before the first frame: a tenth of a bed that moves touches nobody.  Throws
-    /// bad_value for a bed on several ranks.
+    /// nobody for a while.  Call it now and then before the first frame: a tenth of a bed that moves touches nobody.
     void meet(const bed& b);
     /// Keeps a frame if anybody has left the bed since the last one; call it after each update of the outflow.  Meets the
     /// bed first.
     bool observe(const bed& b);
     /// Mass that has left the bed since the first frame [kg].
     double mass_left() const { return mass_left_; }
-    /// The recording, which ends where the number of particles is closest to that of the first frame, in its later half.
-    /// Throws bad_value where nothing left, or where the number has changed by more than 5 %.
+    /// The recording, which ends where the number of particles is closest to that of the first frame, in its later
+    /// half. Throws bad_value where nothing left, or where the number has changed by more than 5 %.
     recording finish() const;
 
     /// All that has been seen, with a checksum: a recorder that restores it goes on as this one.  In the byte order of this
@@ -109,14 +110,15 @@ class recorder {
     double mass_left_ = 0;
 };
 
-/// Repeats a recording at any mass flow.  Each state is a frame: a packing of the DEM run as it was.  The next frame comes
-/// when the mass of those who leave in between is due, so less than that is ever due.
+/// Repeats a recording at any mass flow.  Each state is a frame: a packing of the DEM run as it was.  The next frame
+/// comes when the mass of those who leave in between is due, so less than that is ever due.
 ///
 /// A particle keeps the mass that it was fed with; its sphere is that of its slot.
 class recorded_bed final : public moving_bed {
   public:
     /// Throws bad_value, or std::invalid_argument where there is no recording.
-    recorded_bed(std::shared_ptr<const recording> record, surroundings around, double mass_flow);
+    recorded_bed(std::shared_ptr<const recording> record, surroundings around, double mass_flow,
+                 const decomposition& spread = {});
     vector3 velocity(index i) const override;
     const recording& record() const { return *record_; }
 

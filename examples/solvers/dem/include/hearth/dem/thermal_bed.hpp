@@ -9,7 +9,6 @@
 
 #include <hearth/core/contact_traits.hpp>
 #include <hearth/core/error.hpp>
-#include <hearth/core/particle_halo.hpp>
 #include <hearth/core/particle_traits.hpp>
 #include <hearth/core/thermal_link.hpp>
 #include <hearth/transfer/links.hpp>
@@ -79,13 +78,6 @@ class thermal_bed {
     thermal_material material_;
     int parcel_factor_;
 };
-
-/// The ghosts of a bed on several ranks, in its order, for a hearth::particle_halo.
-inline std::vector<ghost_particle> ghosts_of(const bed& b) {
-    std::vector<ghost_particle> found;
-    for (index i = b.size(); i < b.size() + b.ghost_count(); ++i) found.push_back({b.ids()[i], b.ghost_owner(i)});
-    return found;
-}
 
 /// One grain of each parcel, for terms between particles and gas.
 struct grain_cloud {

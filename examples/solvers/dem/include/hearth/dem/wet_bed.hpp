@@ -3,49 +3,74 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <hearth/core/error.hpp>
+#include <hearth/dem/thermal_bed.hpp>
 #include <hearth/time/drying_step.hpp>
 #include <hearth/transfer/term.hpp>
 
-#include <hearth/dem/thermal_bed.hpp>
-
 namespace hearth::dem {
 
-/// Values that belong to the particles of a bed by their ids, in the order of its indices: composition, moisture, marks.
-/// For a bed on one rank: follow() throws bad_value for another.
+/// Values that belong to the particles of a bed by their ids, in the order of its indices: composition, moisture,
+/// marks. On several ranks they go along with their particles; then they are to be trivially copyable.
 template <class Value>
 class per_particle {
   public:
-    /// Brings the values into the order of the bed.  made(i) is the value of a particle that is new; gone(value) hears of
-    /// those whose particles have left.  Call it before the values are used; it does nothing while no index has changed.
+    /// Brings the values into the order of the bed, and to the ranks of their particles.  made(i) is the value of a
+    /// particle that is new; gone(value) hears of those whose particles have left, on the rank that had them.  Call it
+    /// before the values are used; it does nothing while no index has changed.  Together.
     template <class Made, class Gone>
     void follow(const bed& b, Made&& made, Gone&& gone) {
-        if (b.is_shared()) {
-            throw bad_value("number of ranks of the bed", bad_value::no_index, b.among().size(),
-                            "1: values by id do not go from rank to rank");
-        }
         if (followed_ && revision_ == b.revision()) return;
-        std::vector<std::pair<std::int64_t, std::size_t>> known;
-        for (std::size_t k = 0; k < ids_.size(); ++k) known.emplace_back(ids_[k], k);
-        std::sort(known.begin(), known.end());
-        std::vector<char> stays(ids_.size(), 0);
+        const auto index_of = [](const std::vector<known>& sorted, std::int64_t id) {
+            const auto found = std::lower_bound(sorted.begin(), sorted.end(), known{id, 0});
+            return found != sorted.end() && found->first == id ? static_cast<std::ptrdiff_t>(found->second) : -1;
+        };
+        const std::vector<known> had = sorted(ids_);
         std::vector<Value> now;
-        now.reserve(static_cast<std::size_t>(b.size()));
+        std::vector<index> strangers;  // new, or come from another rank
+        std::vector<char> stays(ids_.size(), 0);
         for (index i = 0; i < b.size(); ++i) {
-            const auto found = std::lower_bound(known.begin(), known.end(), std::make_pair(b.ids()[i], std::size_t{0}));
-            if (found != known.end() && found->first == b.ids()[i]) {
-                stays[found->second] = 1;
-                now.push_back(values_[found->second]);
+            const std::ptrdiff_t k = index_of(had, b.ids()[i]);
+            if (k < 0) {
+                strangers.push_back(i);
             } else {
-                now.push_back(made(i));
+                stays[static_cast<std::size_t>(k)] = 1;
+            }
+            now.push_back(k < 0 ? Value{} : values_[static_cast<std::size_t>(k)]);
+        }
+        std::vector<travelling> missing;  // gone, or gone to another rank
+        for (std::size_t k = 0; k < ids_.size(); ++k)
+            if (!stays[k]) missing.push_back({ids_[k], values_[k]});
+
+        // What one rank misses is a stranger to another one, or to none.
+        std::vector<travelling> lost = missing;
+        std::vector<std::int64_t> wanted;
+        for (const index i : strangers) wanted.push_back(b.ids()[i]);
+        if (b.is_shared()) {
+            if constexpr (std::is_trivially_copyable_v<Value>) {
+                lost = b.among().gather(missing);
+                wanted = b.among().gather(wanted);
+            } else {
+                throw std::invalid_argument(
+                    "hearth: values that are not trivially copyable do not go from rank to rank");
             }
         }
-        for (std::size_t k = 0; k < ids_.size(); ++k)
-            if (!stays[k]) gone(values_[k]);
+        std::vector<std::int64_t> lost_ids;
+        for (const travelling& t : lost) lost_ids.push_back(t.id);
+        const std::vector<known> found = sorted(lost_ids), taken = sorted(wanted);
+        for (const index i : strangers) {
+            const std::ptrdiff_t k = index_of(found, b.ids()[i]);
+            now[static_cast<std::size_t>(i)] = k < 0 ? made(i) : lost[static_cast<std::size_t>(k)].value;
+        }
+        for (const travelling& t : missing)
+            if (index_of(taken, t.id) < 0) gone(t.value);
         values_.swap(now);
         ids_.assign(b.ids(), b.ids() + b.size());
         revision_ = b.revision();
@@ -55,14 +80,39 @@ class per_particle {
     std::vector<Value>& values() { return values_; }
     const std::vector<Value>& values() const { return values_; }
 
+    /// To save: ids()[k] has values()[k].  To restore, on any number of ranks: each rank gives what it has read, and
+    /// follow() brings it to its particles.
+    const std::vector<std::int64_t>& ids() const { return ids_; }
+    void restore(std::vector<std::int64_t> ids, std::vector<Value> values) {
+        if (ids.size() != values.size()) {
+            throw bad_value("number of values", bad_value::no_index, static_cast<double>(values.size()), "that of ids");
+        }
+        ids_ = std::move(ids);
+        values_ = std::move(values);
+        followed_ = false;
+    }
+
   private:
+    using known = std::pair<std::int64_t, std::size_t>;
+    struct travelling {
+        std::int64_t id;
+        Value value;
+    };
+    static std::vector<known> sorted(const std::vector<std::int64_t>& ids) {
+        std::vector<known> all;
+        for (std::size_t k = 0; k < ids.size(); ++k) all.emplace_back(ids[k], k);
+        std::sort(all.begin(), all.end());
+        return all;
+    }
+
     std::vector<Value> values_;
     std::vector<std::int64_t> ids_;
     std::uint64_t revision_ = 0;
     bool followed_ = false;
 };
 
-/// A thermal bed whose particles hold water; what dries off is taken from their mass in the motion, too.
+/// A thermal bed whose particles hold water; what dries off is taken from their mass in the motion, too.  On several
+/// ranks sums are those of this rank: of what it has, has first seen, and has last had.
 ///
 /// To terms it looks like one grain of each parcel (see grains()), so that a gas film is that of a grain.
 class wet_bed {
@@ -83,7 +133,7 @@ class wet_bed {
         follow();
     }
 
-    /// After each advance, feed and outflow of the bed.
+    /// After each advance, feed and outflow of the bed.  Together.
     void follow() {
         const bed& b = heated_->spheres();
         contents_.follow(
@@ -107,11 +157,26 @@ class wet_bed {
     double water_brought() const { return brought_; }          ///< by all particles so far [kg]
     double water_carried_out() const { return carried_out_; }  ///< with those that left [kg]
 
-    /// Heats and dries all particles over a step of the model [s], each on its own clock.  term: drying of the scene; gas: at
-    /// the particles; baths: of whole parcels [W/K]; caloric_of(i): of the dry material.
+    /// What goes on from a restart, beside the bed's own state.  Parts may be given to other ranks than they came from.
+    struct state {
+        std::vector<std::int64_t> ids;
+        std::vector<content> contents;
+        double brought = 0, carried_out = 0;  ///< [kg]
+    };
+    state now() const { return {contents_.ids(), contents(), brought_, carried_out_}; }
+    /// After the bed's own restore.  Together.
+    void restore(state s) {
+        contents_.restore(std::move(s.ids), std::move(s.contents));
+        brought_ = s.brought;
+        carried_out_ = s.carried_out;
+        follow();
+    }
+
+    /// Heats and dries all particles over a step of the model [s], each on its own clock.  Together.  term: drying of
+    /// the scene; gas: at the particles; baths: of whole parcels [W/K]; caloric_of(i): of the dry material.
     template <class Drying, class Gas, class CaloricOf, class Clock>
-    books dry(const Drying& term, const Gas& gas, const std::vector<heat_bath<double>>& baths, const CaloricOf& caloric_of,
-              const Clock& clock, double step);
+    books dry(const Drying& term, const Gas& gas, const std::vector<heat_bath<double>>& baths,
+              const CaloricOf& caloric_of, const Clock& clock, double step);
 
   private:
     thermal_bed* heated_;
@@ -151,14 +216,13 @@ wet_bed::books wet_bed::dry(const Drying& term, const Gas& gas, const std::vecto
     bed& b = heated_->spheres();
     if (baths.size() != contents().size())
         throw bad_value("number of baths", bad_value::no_index, static_cast<double>(baths.size()), "that of particles");
-    if (!(step >= 0) || !std::isfinite(step))
-        throw bad_value("step", bad_value::no_index, step, "finite and >= 0 [s]");
+    if (!(step >= 0) || !std::isfinite(step)) throw bad_value("step", bad_value::no_index, step, "finite and >= 0 [s]");
     const double grains = std::pow(heated_->parcel_factor(), 3);
     books sum;
     for (index i = 0; i < b.size(); ++i) {
         content& c = contents_.values()[static_cast<std::size_t>(i)];
-        const auto film = term.gas_film(view<wet_bed>(*this, i),
-                                        view<Gas>(gas, static_cast<particle_index_t<Gas>>(i)), clock);
+        const auto film =
+            term.gas_film(view<wet_bed>(*this, i), view<Gas>(gas, static_cast<particle_index_t<Gas>>(i)), clock);
         const auto after = drying_step(
             b.temperatures()[i], c.dry, c.water, caloric_of(static_cast<std::size_t>(i)), term,
             baths[static_cast<std::size_t>(i)], [&](double kelvin) { return grains * film.rate(kelvin); },
@@ -170,6 +234,7 @@ wet_bed::books wet_bed::dry(const Drying& term, const Gas& gas, const std::vecto
         sum.vapour_enthalpy += after.vapour_enthalpy;
         sum.heat += after.conducted + after.radiated;
     }
+    b.update_ghosts();  // masses have changed
     return sum;
 }
 
