@@ -58,52 +58,38 @@ void exchange(std::ostream& out) {
     }
 }
 
-/// Times in which a cold bed on a hot plate, insulated elsewhere, gets a twentieth and a tenth of the way to its temperature.
-std::vector<double> heating_times(plate_bed& made, double cold, double hot) {
-    bed& b = made.spheres;
-    b.set_patch_temperature(0, hot);
-    auto links = heat_links(made, 0.5 * (cold + hot), 0.95, 2.5, heat_paths::all);
-    links.walls.erase(std::remove_if(links.walls.begin(), links.walls.end(), [](const auto& w) { return w.patch != 0; }),
-                      links.walls.end());
-    std::vector<double> temperature(static_cast<std::size_t>(b.size()), cold), times;
-    double before = cold, time = 0;
-    while (times.size() < 2) {
-        const double step = 20;
-        heat(made, links, step, temperature);
-        double mean = 0;
-        for (const double t : temperature) mean += t / static_cast<double>(temperature.size());  // of equal masses
-        const double wanted = cold + (hot - cold) * (times.empty() ? 0.05 : 0.1);
-        if (mean >= wanted) times.push_back(time + step * (wanted - before) / (mean - before));
-        before = mean;
-        time += step;
+/// Parcels of k beside grains.  In a bed of the same number of diameters, k times as large, under the same stress: parts of
+/// the conductivity, and times of mixing over k^2.
+void parcels_alike(std::ostream& out) {
+    out << "k number solid contact film radiation time_10_s time_20_s discharge_error seconds\n";
+    for (const int k : {1, 2, 3, 4}) {
+        const double began = cpu_seconds();
+        plate_bed made(k, 9 * k * iron::diameter, 30 * k * iron::diameter, 0.3, 9.81 / k);
+        const conductivity_parts p = conductivity_between_plates(made, 800, 1.0);
+        const std::vector<double> times = mixing_times(made, 300, 1000, 20 * k * k);
+        const dem::index number = made.spheres.size();
+        const double worst = largest_arrears(made, 2 * k);
+        out << k << ' ' << number << ' ' << made.solid << ' ' << p.contact << ' ' << p.film << ' ' << p.radiation << ' '
+            << times[0] / (k * k) << ' ' << times[1] / (k * k) << ' ' << worst << ' ' << cpu_seconds() - began << '\n'
+            << std::flush;
     }
-    return times;
 }
 
-/// The same vessel with parcels of k: conductivity of the core, heating from below, discharge.
+/// The same vessel, 16 grains in radius, with parcels of k: heat from plate to plate, heating from below, discharge.
 void parcels(std::ostream& out) {
-    const double radius = 12 * iron::diameter, column = 44 * iron::diameter;
-    out << "k number solid contact film radiation all time_5_s time_10_s discharge_error seconds\n";
-    for (const int k : {1, 2}) {
+    const double radius = 16 * iron::diameter, column = 56 * iron::diameter;
+    out << "k number mass height floor_stress core between_plates time_5_s time_10_s discharge_error seconds\n";
+    for (const int k : {1, 2, 3, 4}) {
         const double began = cpu_seconds();
         plate_bed made(k, radius, column, 0.3);
         const conductivity_parts p = conductivity_between_plates(made, 800, 1.0);
-        const std::vector<double> times = heating_times(made, 300, 1000);
-        // Driven discharge of half the bed in 2 s: how far what has left is from what was due.
-        bed& b = made.spheres;
-        double mass = 0;
-        for (dem::index i = 0; i < b.size(); ++i) mass += b.mass(i);
-        dem::outflow sink({0, 0, mass / 4});
-        b.set_wall_open(2, true);
-        double worst = 0;
-        const double start = b.time();
-        while (b.time() - start < 2) {
-            b.advance(50);
-            sink.update(b, 50 * b.settings().step);
-            worst = std::fmax(worst, std::fabs(sink.now().due) / mass);
-        }
-        out << k << ' ' << b.size() + sink.now().particles << ' ' << made.solid << ' ' << p.contact << ' ' << p.film << ' '
-            << p.radiation << ' ' << p.core() << ' ' << times[0] << ' ' << times[1] << ' ' << worst << ' ' << cpu_seconds() - began << '\n'
+        const std::vector<double> times = heating_times(made, 300, 1000, 20);
+        const dem::index number = made.spheres.size();
+        const double mass = number * made.spheres.mass(0);
+        const double stress = -made.spheres.force_on_wall(0).z / (pi * radius * radius);
+        const double worst = largest_arrears(made, 2);
+        out << k << ' ' << number << ' ' << mass << ' ' << made.height << ' ' << stress << ' ' << p.core() << ' ' << p.between_plates << ' '
+            << times[0] << ' ' << times[1] << ' ' << worst << ' ' << cpu_seconds() - began << '\n'
             << std::flush;
     }
 }
@@ -185,7 +171,7 @@ void beverloo(std::ostream& out) {
 
 int main(int count, char** words) {
     const std::vector<std::pair<std::string, std::function<void(std::ostream&)>>> tables{
-        {"fig_3", fig_3}, {"exchange", exchange}, {"parcels", parcels}, {"sweeps", sweeps}, {"beverloo", beverloo}};
+        {"fig_3", fig_3}, {"exchange", exchange}, {"parcels_alike", parcels_alike}, {"parcels", parcels}, {"sweeps", sweeps}, {"beverloo", beverloo}};
     if (count < 2) {
         std::cerr << "use: " << words[0] << " FOLDER [TABLE ...]\n";
         return 2;

@@ -84,9 +84,10 @@ view_report build_radiation(const Term& term, const Cloud& cloud, const Contacts
         if (area == 0.0) return;  // NaN goes on, to be refused by what reads the list
         pairs.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), {}});
         pairs.back().link.radiation = emission * area;
-        rows[static_cast<std::size_t>(i)].pairs += area / term.surface(p);
-        if (static_cast<std::int64_t>(j) < count) rows[static_cast<std::size_t>(j)].pairs += area / term.surface(q);
+        rows[static_cast<std::size_t>(i)].pairs += area;
+        if (static_cast<std::int64_t>(j) < count) rows[static_cast<std::size_t>(j)].pairs += area;
     });
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].pairs /= term.surface(at(static_cast<std::int64_t>(i)));
 
     if constexpr (has_near_walls_v<Contacts>) {
         contacts_of<Contacts>::for_each_near_wall(contacts, term.beside_wall(), [&](auto i, auto, double) {

@@ -59,19 +59,26 @@ TEST_CASE("radiation alone: the bed's exchange factor within 3 % at the default 
     CHECK(std::fabs(found / full - 1) < 0.03);
 }
 
-TEST_CASE("parcels: a bed of them conducts as one of grains, part by part") {
-    // The same core in diameters, and the same stress on it: deeper by k, under gravity less by k.
+TEST_CASE("parcels: a bed of them conducts, heats up and leaves as one of grains") {
+    // The same core in diameters, and the same stress on it: deeper by k, under gravity less by k; it heats k^2 times as long.
     plate_bed& one = grains_between_plates();
     const conductivity_parts grains = conductivity_between_plates(one, 800, 1.0);
-    for (const int k : {2, 4}) {
+    const std::vector<double> alone = mixing_times(one, 300, 1000, 20);
+    for (const int k : {2, 3, 4}) {
         plate_bed made(k, 9 * k * iron::diameter, 30 * k * iron::diameter, 0.3, 9.81 / k);
         CHECK(std::fabs(made.solid - one.solid) < 0.006);
         const conductivity_parts parcels = conductivity_between_plates(made, 800, 1.0);
+        const std::vector<double> times = mixing_times(made, 300, 1000, 20 * k * k);
         MESSAGE("k = " << k << ": contacts " << parcels.contact / grains.contact << ", films " << parcels.film / grains.film
-                       << ", radiation " << parcels.radiation / grains.radiation);
+                       << ", radiation " << parcels.radiation / grains.radiation << "; heating " << times[0] / alone[0] / (k * k)
+                       << ", " << times[1] / alone[1] / (k * k));
         // Other packings of 2500 spheres: films and radiation differ by 1 %; contacts by 5 %, for few chains carry the load.
         CHECK(std::fabs(parcels.contact / grains.contact - 1) < 0.10);
         CHECK(std::fabs(parcels.film / grains.film - 1) < 0.03);
         CHECK(std::fabs(parcels.radiation / grains.radiation - 1) < 0.03);
+        // As the square of the height, 1 % from packing to packing, over the conductivity, whose contacts are a twelfth.
+        for (std::size_t t = 0; t < 2; ++t) CHECK(std::fabs(times[t] / alone[t] / (k * k) - 1) < 0.05);
+        const double layer = k * iron::diameter / made.height;
+        CHECK(largest_arrears(made, 2 * k) < 0.5 * layer);  // what passed and what is due part by half a layer
     }
 }

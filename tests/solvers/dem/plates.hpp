@@ -11,6 +11,7 @@
 #include <hearth/closure/hertz.hpp>
 #include <hearth/closure/wall_view.hpp>
 #include <hearth/core/constants.hpp>
+#include <hearth/dem/feed.hpp>
 #include <hearth/dem/thermal_bed.hpp>
 #include <hearth/scene/scene.hpp>
 #include <hearth/time/caloric.hpp>
@@ -204,6 +205,70 @@ inline conductivity_parts conductivity_between_plates(plate_bed& made, double ke
         }
     }
     return found;
+}
+
+/// Times in which a cold bed on a hot plate, insulated elsewhere, gets a twentieth and a tenth of the way to its temperature,
+/// in implicit steps of so many seconds.
+inline std::vector<double> heating_times(plate_bed& made, double cold, double hot, double step) {
+    bed& b = made.spheres;
+    b.set_patch_temperature(0, hot);
+    auto links = heat_links(made, 0.5 * (cold + hot), 0.95, 2.5, heat_paths::all);
+    links.walls.erase(std::remove_if(links.walls.begin(), links.walls.end(), [](const auto& w) { return w.patch != 0; }),
+                      links.walls.end());
+    std::vector<double> temperature(static_cast<std::size_t>(b.size()), cold), times;
+    double before = cold, time = 0;
+    while (times.size() < 2) {
+        heat(made, links, step, temperature);
+        double mean = 0;
+        for (const double t : temperature) mean += t / static_cast<double>(temperature.size());  // of equal masses
+        const double wanted = cold + (hot - cold) * (times.empty() ? 0.05 : 0.1);
+        if (mean >= wanted) times.push_back(time + step * (wanted - before) / (mean - before));
+        before = mean;
+        time += step;
+    }
+    return times;
+}
+
+/// Times in which the upper half of an insulated bed, cold above a hot lower half, gets a tenth and a fifth of the way to
+/// the temperature of that, in implicit steps of so many seconds: what the bed alone does, without plates.
+inline std::vector<double> mixing_times(plate_bed& made, double cold, double hot, double step) {
+    bed& b = made.spheres;
+    auto links = heat_links(made, 0.5 * (cold + hot), 0.95, 2.5, heat_paths::all);
+    links.walls.clear();
+    std::vector<double> temperature, times;
+    std::vector<std::size_t> upper;
+    for (hearth::dem::index i = 0; i < b.size(); ++i) {
+        const bool above = b.spheres()[i].centre.z > 0.5 * made.height;
+        temperature.push_back(above ? cold : hot);
+        if (above) upper.push_back(static_cast<std::size_t>(i));
+    }
+    double before = cold, time = 0;
+    while (times.size() < 2) {
+        heat(made, links, step, temperature);
+        double mean = 0;
+        for (const std::size_t i : upper) mean += temperature[i] / static_cast<double>(upper.size());
+        const double wanted = cold + (hot - cold) * (times.empty() ? 0.1 : 0.2);
+        if (mean >= wanted) times.push_back(time + step * (wanted - before) / (mean - before));
+        before = mean;
+        time += step;
+    }
+    return times;
+}
+
+/// Driven discharge of half the bed in so many seconds: the most that was due and had not left, over the bed's mass.
+inline double largest_arrears(plate_bed& made, double seconds) {
+    bed& b = made.spheres;
+    double mass = 0, worst = 0;
+    for (hearth::dem::index i = 0; i < b.size(); ++i) mass += b.mass(i);
+    hearth::dem::outflow sink({0, 0, 0.5 * mass / seconds});
+    b.set_wall_open(2, true);
+    const double start = b.time();
+    while (b.time() - start < seconds) {
+        b.advance(50);
+        sink.update(b, 50 * b.settings().step);
+        worst = std::fmax(worst, std::fabs(sink.now().due) / mass);
+    }
+    return worst;
 }
 
 }  // namespace hearth_test

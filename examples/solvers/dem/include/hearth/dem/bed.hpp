@@ -188,54 +188,53 @@ class bed {
 
   private:
     struct implementation;
+    /// Contacts of some pairs, side by side.
+    struct contact_block {
+        static constexpr std::size_t pairs = 256;
+        std::size_t count;
+        index i[pairs], j[pairs];  ///< the first is owned
+        double force[pairs], overlap[pairs], x[pairs], y[pairs], z[pairs];
+    };
+    /// Those among so many candidate pairs from the given one on.
+    void find_contacts(std::size_t first_pair, contact_block& found) const;
+    /// The near list as it is now, and what it says of one place.
+    struct near_row {
+        const near_list* list;
+        std::vector<sphere> placed;  ///< in the order of places, nowhere where a particle has left
+        std::vector<index> others;
+        std::vector<double> distances;
+        std::size_t count;
+    };
+    near_row near_rows(double factor) const;
+    static void find_near(std::size_t place, double factor, near_row& row);
+
     std::unique_ptr<implementation> self_;
 };
 
 template <class Visit>
 void bed::for_each_contact(Visit&& visit) const {
-    const sphere* const all = spheres();
-    const double stiffness = law().normal_stiffness;
-    const std::vector<pair>& pairs = candidate_pairs();
-    constexpr std::size_t chunk = 512;
-    std::uint32_t touching[chunk];
-    for (std::size_t begin = 0; begin < pairs.size(); begin += chunk) {
-        const std::size_t end = begin + chunk < pairs.size() ? begin + chunk : pairs.size();
-        std::size_t count = 0;
-        for (std::size_t p = begin; p < end; ++p) {  // without a branch: nobody can foretell who touches
-            const sphere &a = all[pairs[p].i], &b = all[pairs[p].j];
-            const vector3 d = a.centre - b.centre;
-            const double sum = a.radius + b.radius;
-            touching[count] = static_cast<std::uint32_t>(p);
-            count += dot(d, d) < sum * sum ? 1u : 0u;
-        }
-        for (std::size_t k = 0; k < count; ++k) {
-            const auto [i, j] = pairs[touching[k]];
-            const vector3 d = all[i].centre - all[j].centre;
-            const double ri = all[i].radius, rj = all[j].radius, inverse_sum = 1 / (ri + rj), distance = norm(d);
-            const double overlap = ri + rj - distance;
-            const double force = stiffness * std::sqrt(ri * rj * inverse_sum * overlap) * overlap;
-            const vector3 point = all[i].centre - ((ri - overlap * rj * inverse_sum) / distance) * d;
-            if (i < size()) visit(i, j, force, overlap, point);
-            else visit(j, i, force, overlap, point);
-        }
+    contact_block found;
+    const std::size_t end = candidate_pairs().size();
+    for (std::size_t first = 0; first < end; first += contact_block::pairs) {
+        find_contacts(first, found);
+        for (std::size_t k = 0; k < found.count; ++k)
+            visit(found.i[k], found.j[k], found.force[k], found.overlap[k], vector3{found.x[k], found.y[k], found.z[k]});
     }
 }
 
 template <class Visit>
 void bed::for_each_near(double factor, Visit&& visit) const {
-    const near_list& list = near_pairs(factor);
-    const sphere* const all = spheres();
-    for (std::size_t a = 0; a + 1 < list.start.size(); ++a) {
-        const index i = list.current[a];
+    near_row row = near_rows(factor);
+    const std::vector<index>& current = row.list->current;
+    const index owned = size();
+    for (std::size_t place = 0; place < current.size(); ++place) {
+        const index i = current[place];
         if (i < 0) continue;
-        for (std::uint32_t p = list.start[a]; p < list.start[a + 1]; ++p) {
-            const index j = list.current[static_cast<std::size_t>(list.second[p])];
-            if (j < 0) continue;
-            const vector3 d = all[i].centre - all[j].centre;
-            const double squared = dot(d, d), limit = factor * (all[i].radius + all[j].radius);
-            if (!(squared < limit * limit)) continue;
-            if (i < size()) visit(i, j, std::sqrt(squared));
-            else if (j < size()) visit(j, i, std::sqrt(squared));
+        find_near(place, factor, row);
+        for (std::size_t k = 0; k < row.count; ++k) {
+            const index j = current[static_cast<std::size_t>(row.others[k])];
+            if (i < owned) visit(i, j, row.distances[k]);
+            else if (j < owned) visit(j, i, row.distances[k]);
         }
     }
 }
