@@ -10,12 +10,9 @@
 #include <hearth/dem/recording.hpp>
 
 #include "archive.hpp"
-#include "check.hpp"
 #include "matching.hpp"
 
 namespace hearth::dem {
-
-using detail::check;
 
 namespace {
 
