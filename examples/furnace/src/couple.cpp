@@ -49,7 +49,7 @@ furnace::parts::parts(const settings& given, ranks given_ranks)
       stone_terms(make_radiation(scene), make_conduction(scene)),
       network(network_params()) {
     if (!profile.converged) throw bad_scene("the one-dimensional solution of this scene did not converge");
-    if (packed_by_dem()) fill.emplace(scene);
+    if (packed_by_dem()) fill.emplace(scene, among);
     else use_bed(lattice_bed(scene));
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include <hearth/core/reproducible_sum.hpp>
 #include <hearth/dem/random.hpp>
 #include <hearth/furnace/shaft_profile.hpp>
 
@@ -27,6 +28,17 @@ constexpr double stiff =
 
 double volume(double radius) { return 4.0 / 3.0 * pi * radius * radius * radius; }
 
+/// Sum over the parcels of all ranks, the same bits on any number of them.
+template <class Term>
+double sum_over(const dem::bed& bed, Term&& term) {
+    double largest = 0;
+    for (dem::index i = 0; i < bed.size(); ++i) largest = std::max(largest, std::abs(term(i)));
+    reproducible_sum total(bed.among().max(largest), std::int64_t{1} << 36);
+    for (dem::index i = 0; i < bed.size(); ++i) total.add(term(i));
+    bed.among().sum(total.limbs(), reproducible_sum::limb_count());
+    return total.value();
+}
+
 /// A plain value as the bytes that it is.
 template <class Value>
 std::vector<double> bits_of(const Value& value) {
@@ -45,8 +57,11 @@ Value value_of(const std::vector<double>& numbers) {
 
 }  // namespace
 
-filling::filling(const settings& scene)
-    : scene_(scene), largest_(sizes_of(scene).largest()), bed_(bed_settings_of(scene)) {
+filling::filling(const settings& scene, const ranks& among)
+    : scene_(scene),
+      among_(among),
+      largest_(sizes_of(scene).largest()),
+      bed_(bed_settings_of(scene), {dem::over(among), 2}) {
     const double top = scene.shaft.height, shaft_radius = 0.5 * scene.shaft.diameter;
     dem::wall floor;
     floor.facets = dem::shape::plane({0, 0, -0.5 * largest_}, {0, 0, 1});
@@ -102,6 +117,7 @@ void filling::advance() {
             return;
         case stage::starting:
             move(4 * stretch);
+            bed_.update_ghosts();
             recorder_->meet(bed_);
             if (outflow_->now().taken < sinking(starting)) return;
             cut(scene_.shaft.height);
@@ -124,11 +140,10 @@ void filling::advance() {
 /// At rest: slower, at the mean of all, than a fall by a five-hundredth of a diameter makes; the column still rings a
 /// little.
 bool filling::at_rest() const {
-    double energy = 0, mass = 0;
-    for (dem::index i = 0; i < bed_.size(); ++i) {
-        energy += 0.5 * bed_.mass(i) * dot(bed_.motions()[i].velocity, bed_.motions()[i].velocity);
-        mass += bed_.mass(i);
-    }
+    const double energy = sum_over(bed_, [&](dem::index i) {
+        return 0.5 * bed_.mass(i) * dot(bed_.motions()[i].velocity, bed_.motions()[i].velocity);
+    });
+    const double mass = sum_over(bed_, [&](dem::index i) { return bed_.mass(i); });
     const double fall = 0.002 * scene_.bed.coarse_graining * sauter_diameter(scene_) * earth * gravity_;
     const bool goes_on = scene_.bed.motion == bed_motion::recorded;  // to move: it need not quite rest
     return bed_.time() > 0.3 / std::sqrt(weight()) && energy / mass < (goes_on ? 20 * fall : fall);
@@ -146,10 +161,9 @@ void filling::set_gravity(double share) {
 void filling::begin_motion() {
     set_gravity(weight());
     cut(scene_.shaft.height + largest_);
-    double solid = 0;
-    for (dem::index i = 0; i < bed_.size(); ++i) {
-        if (bed_.spheres()[i].centre.z < scene_.shaft.height) solid += volume(bed_.spheres()[i].radius);
-    }
+    const double solid = sum_over(bed_, [&](dem::index i) {
+        return bed_.spheres()[i].centre.z < scene_.shaft.height ? volume(bed_.spheres()[i].radius) : 0.0;
+    });
     void_fraction_ = 1 - solid / (pi / 4 * scene_.shaft.diameter * scene_.shaft.diameter * scene_.shaft.height);
     make_motion();
     now_ = stage::starting;
@@ -208,6 +222,7 @@ void filling::move(int steps) {
 
 /// Takes away what lies above a level; not what still falls.
 void filling::cut(double level) {
+    bed_.update_ghosts();
     const std::vector<int> contacts = bed_.contact_counts();
     std::vector<dem::index> above;
     for (dem::index i = 0; i < bed_.size(); ++i) {
@@ -215,7 +230,7 @@ void filling::cut(double level) {
             (now_ == stage::falling || contacts[static_cast<std::size_t>(i)] >= 2))
             above.push_back(i);
     }
-    if (!above.empty()) bed_.remove(above);
+    if (among_.any(!above.empty())) bed_.remove(above);
 }
 
 double filling::sinking(double diameters) const {
@@ -225,11 +240,10 @@ double filling::sinking(double diameters) const {
 
 double filling::level() const {
     if (now_ != stage::falling) return scene_.shaft.height;
-    double settled = 0;
     const std::vector<int> contacts = bed_.contact_counts();
-    for (dem::index i = 0; i < bed_.size(); ++i) {
-        if (contacts[static_cast<std::size_t>(i)] >= 3) settled += volume(bed_.spheres()[i].radius);
-    }
+    const double settled = sum_over(bed_, [&](dem::index i) {
+        return contacts[static_cast<std::size_t>(i)] >= 3 ? volume(bed_.spheres()[i].radius) : 0.0;
+    });
     const double section = pi / 4 * scene_.shaft.diameter * scene_.shaft.diameter;
     return std::min(settled / (0.59 * section), scene_.shaft.height);
 }
@@ -261,13 +275,30 @@ std::unique_ptr<dem::moving_bed> filling::finished() const {
     }
     std::vector<dem::sphere> spheres;
     std::vector<double> masses;
-    for (dem::index i = 0; i < bed_.size(); ++i) {
-        const dem::sphere& s = bed_.spheres()[i];
-        if (s.centre.z < 0 || s.centre.z >= scene_.shaft.height) continue;
-        spheres.push_back(s);
-        masses.push_back(bed_.mass(i));
+    for (const dem::particle& p : parcels()) {
+        if (p.position.z < 0 || p.position.z >= scene_.shaft.height) continue;
+        spheres.push_back({p.position, p.radius});
+        masses.push_back(p.density * volume(p.radius));
     }
     return bed_of(scene_, std::move(spheres), std::move(masses));
+}
+
+std::vector<dem::particle> filling::parcels() const {
+    struct known {
+        std::int64_t id;
+        dem::sphere where;
+    };
+    std::vector<known> mine;
+    for (dem::index i = 0; i < bed_.size(); ++i) mine.push_back({bed_.ids()[i], bed_.spheres()[i]});
+    std::vector<known> all = among_.gather(mine);
+    std::sort(all.begin(), all.end(), [](const known& a, const known& b) { return a.id < b.id; });
+    std::vector<dem::particle> found(all.size());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        found[k].position = all[k].where.centre;
+        found[k].radius = all[k].where.radius;
+        found[k].density = scene_.particles.density;
+    }
+    return found;
 }
 
 void filling::save(saved_state& into) const {
@@ -287,7 +318,7 @@ void filling::restore(const saved_state& from) {
     };
     const std::vector<double>& numbers = find("filling/stage");
     if (numbers.size() != 4) throw bad_scene("the state of the filling is damaged");
-    filling read(scene_);  // so that this one stays as it is if something is wrong
+    filling read(scene_, among_);  // so that this one stays as it is if something is wrong
     read.now_ = static_cast<stage>(numbers[0]);
     read.set_gravity(numbers[1]);
     read.void_fraction_ = numbers[2];
@@ -298,7 +329,18 @@ void filling::restore(const saved_state& from) {
         read.outflow_->restore(value_of<dem::outflow::state>(find("filling/outflow")));
         read.recorder_->restore(to_bytes(find("filling/recorder")));
     }
-    read.bed_.restore(to_bytes(find("filling/state")));
+    // The parts of those that saved it, dealt out to those that there are.
+    const std::vector<double>& all = find("filling/state");
+    std::vector<std::vector<char>> mine;
+    int part = 0;
+    for (std::size_t at = 0; at < all.size(); ++part) {
+        const double bytes = std::ceil(all[at] / sizeof(double));
+        if (!(bytes >= 0 && bytes < static_cast<double>(all.size() - at))) throw bad_scene("the state of the filling is damaged");
+        const auto first = all.begin() + static_cast<std::ptrdiff_t>(at), last = first + 1 + static_cast<std::ptrdiff_t>(bytes);
+        if (part % among_.size() == among_.rank()) mine.push_back(to_bytes({first, last}));
+        at += 1 + static_cast<std::size_t>(bytes);
+    }
+    read.bed_.restore_parts(mine);
     *this = std::move(read);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <hearth/dem/recording.hpp>
+#include <hearth/furnace/ranks.hpp>
 #include <hearth/furnace/settings.hpp>
 #include <hearth/furnace/snapshot.hpp>
 
@@ -17,20 +18,23 @@ namespace hearth::furnace {
 ///
 /// Centres of parcels lie between the ends of the shaft: the floor is a largest radius below it, so that the bed is cut
 /// through there as it is at the top, and not laid flat.
+///
+/// Ranks share the parcels in slabs; the motion has the bits of one rank, and each rank gets the whole bed.
 class filling {
   public:
-    explicit filling(const settings& scene);
+    filling(const settings& scene, const ranks& among);
 
     /// Some more steps.
     void advance();
     bool done() const { return now_ == stage::done; }
     double level() const;  ///< of the bed [m]
     double share() const;  ///< of the expected work, 0 to 1 [-]
-    const dem::bed& bed() const { return bed_; }
+    std::vector<dem::particle> parcels() const;  ///< of all ranks, by their ids
 
     /// The bed that the scene asks for.
     std::unique_ptr<dem::moving_bed> finished() const;
 
+    /// DEM's state is that of this rank's parcels.
     void save(saved_state& into) const;
     /// Throws bad_scene or dem::state_error.
     void restore(const saved_state& from);
@@ -49,6 +53,7 @@ class filling {
     double sinking(double diameters) const;  ///< mass that leaves while the bed sinks by so many parcels [kg]
 
     settings scene_;
+    ranks among_;
     double largest_;  ///< diameter of a parcel [m]
     dem::bed bed_;
     stage now_ = stage::falling;

@@ -58,7 +58,7 @@ void furnace::parts::each_part(Part&& part) {
 
 namespace {
 
-bool lies_on_ranks(const std::string& name) { return name.compare(0, 4, "gas/") == 0; }
+bool lies_on_ranks(const std::string& name) { return name.compare(0, 4, "gas/") == 0 || name == "filling/state"; }
 
 /// What every rank has of an array that lies on ranks: its length and its numbers, rank by rank.
 redistribution::parts parts_of(const std::string& name, const std::vector<double>& saved, std::size_t ranks) {

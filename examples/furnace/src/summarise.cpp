@@ -55,18 +55,15 @@ snapshot furnace::look() const {
     const parts& p = *parts_;
     snapshot s;
     s.process_time = p.process_time;
-    const auto spheres = [&](const dem::sphere* all, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-            s.particle_position.push_back({all[i].centre.x, all[i].centre.y, all[i].centre.z});
-            s.particle_radius.push_back(all[i].radius);
-        }
+    const auto show = [&](const dem::vector3& x, double radius) {
+        s.particle_position.push_back({x.x, x.y, x.z});
+        s.particle_radius.push_back(radius);
     };
     if (p.now == phase::fill) {
-        const dem::bed& b = p.fill->bed();
-        spheres(b.spheres(), static_cast<std::size_t>(b.size()));
+        for (const dem::particle& parcel : p.fill->parcels()) show(parcel.position, parcel.radius);
         return s;
     }
-    spheres(p.bed->spheres().data(), p.bed->spheres().size());
+    for (const dem::sphere& parcel : p.bed->spheres()) show(parcel.centre, parcel.radius);
     s.particle_temperature = p.fields.temperature;
     for (std::size_t i = 0; i < s.particle_radius.size(); ++i) {
         constexpr double pi = 3.14159265358979323846;

@@ -60,7 +60,7 @@ TEST_CASE("program on ranks: stopped by a signal to mpirun, it goes on with the 
     const fs::path folder = fresh("ranks_stopped"), calm = folder / "calm", own = folder / "stopped";
     const auto arguments = [&, scene = small_scene(folder).string()](const fs::path& output) {
         // Long enough for the signal to pass through mpirun, which takes a second.
-        return std::vector<std::string>{scene, "--output", output, "--set", "output.checkpoint_interval_s=1000", "--set", "time.couplings=80"};
+        return std::vector<std::string>{scene, "--output", output, "--set", "output.checkpoint_interval_s=1000", "--set", "time.couplings=60"};
     };
     CHECK(run_on_two(folder, arguments(calm)).code == 0);
     const ending stopped = run_on_two(folder, arguments(own), [&](pid_t child) {

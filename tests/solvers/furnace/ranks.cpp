@@ -143,6 +143,35 @@ TEST_CASE("ranks: as many go on with the same bits, another number to the solver
     if (among.rank() == 0) CHECK(apart(next, next_alone) < tolerance);
 }
 
+TEST_CASE("ranks: DEM packs and records the same bits on any number of them, and goes on on any") {
+    const ranks among = hearth::mpi::communicator();
+    settings scene = small_furnace();
+    scene.bed.packing = bed_packing::dem;
+    scene.bed.motion = bed_motion::recorded;
+    scene.bed.coarse_graining = 10;
+    furnace shared(scene, among), alone(scene), resumed(scene, among);
+    int steps = 0;
+    for (; alone.current() == phase::fill; ++steps) {
+        alone.step();
+        if (steps % 40 == 20) resumed.restore(alone.save());  // what one rank has saved, while it fell and while it moved
+        else if (steps % 40 > 20) resumed.step();
+        shared.step();
+        const snapshot seen = shared.look(), expected = alone.look();
+        REQUIRE(seen.particle_position == expected.particle_position);
+        CHECK(shared.now().share_done == alone.now().share_done);
+    }
+    CHECK(steps > 21);
+    CHECK(shared.current() == phase::ignite);
+    if (steps % 40 > 20) CHECK(resumed.look().particle_position == alone.look().particle_position);
+    furnace back(scene);
+    furnace half(scene, among);
+    half.step();
+    back.restore(whole_of(half, among));  // what all have saved, one takes up
+    half.step();
+    back.step();
+    CHECK(half.look().particle_position == back.look().particle_position);
+}
+
 TEST_CASE("ranks: a state that does not fit is refused on every rank, and changes nothing") {
     const ranks among = hearth::mpi::communicator();
     const settings scene = small_furnace();
