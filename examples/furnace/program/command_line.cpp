@@ -57,6 +57,8 @@ command_or_exit read_command_line(int count, char** arguments, bool tells) {
     app.add_option("--restart", command.restart, "Go on from a checkpoint, or from the latest one of a folder")->type_name("FILE");
     app.add_option("--summary", command.summary, "Write summary.json there too")->type_name("FILE.json");
     app.add_flag("--dry-run", command.dry_run, "Tell what would be built, its memory and time, and what is left out; run nothing");
+    app.add_flag("--sensitivities", command.sensitivities,
+                 "Print how the scene's one-dimensional solution answers to its inputs; seconds; run nothing");
     app.add_flag("--quiet", command.quiet, "No progress, no table");
     app.add_option_function<std::string>(
            "--keys", [tells](const std::string& kind) {

@@ -19,7 +19,7 @@ struct command_line {
     std::string output = "furnace-results";
     std::string restart;                   ///< a checkpoint or a folder of them; empty: from the start
     std::string summary;                   ///< a second place for summary.json; empty: none
-    bool dry_run = false, quiet = false;
+    bool dry_run = false, quiet = false, sensitivities = false;
 };
 
 /// Reads the command line; where it holds no run to be made (--help, --version, a mistake) it prints what there is to say

@@ -76,6 +76,22 @@ std::string expectation(const settings& scene, const plan& planned) {
     return out;
 }
 
+std::string table_of(const shaft_profile& base, const std::vector<sensitivity>& all) {
+    std::string out = "The one-dimensional model of the scene, and what it becomes with less and more of an input, each alone.\n\n";
+    out += print("  %-44s | %13s | %13s | %13s | %13s\n", "input", "peak, K", "off-gas, K", "product, K", "drop, kPa");
+    out += "  ---------------------------------------------+---------------+---------------+---------------+--------------\n";
+    out += print("  %-44s | %13.0f | %13.0f | %13.0f | %13.1f\n", "as it is", base.peak_particle_temperature, base.offgas_temperature,
+                 base.solids_outlet_temperature, 1e-3 * base.pressure_drop);
+    for (const sensitivity& s : all) {
+        const shaft_profile &a = s.less, &b = s.more;
+        out += print("  %-44s | %5.0f to %4.0f | %5.0f to %4.0f | %5.0f to %4.0f | %4.1f to %5.1f%s\n", (s.input + (s.in_paper ? "" : " *")).c_str(),
+                     a.peak_particle_temperature, b.peak_particle_temperature, a.offgas_temperature, b.offgas_temperature,
+                     a.solids_outlet_temperature, b.solids_outlet_temperature, 1e-3 * a.pressure_drop, 1e-3 * b.pressure_drop,
+                     a.converged && b.converged ? "" : "  (not converged)");
+    }
+    return out + "\n* assumed: the paper leaves it open\n";
+}
+
 std::string comparison(const settings& scene, const summary& s) {
     const bool paper = is_the_papers(scene);
     std::string out;

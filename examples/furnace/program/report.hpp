@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <hearth/furnace/furnace.hpp>
+#include <hearth/furnace/sensitivities.hpp>
 
 namespace hearth::furnace::program {
 
@@ -12,6 +14,9 @@ std::string expectation(const settings& scene, const plan& planned);
 
 /// The end of a run: quantity | paper | this run | unit, and what each number hangs on that the paper leaves open.
 std::string comparison(const settings& scene, const summary& s);
+
+/// What --sensitivities prints.
+std::string table_of(const shaft_profile& base, const std::vector<sensitivity>& all);
 
 /// "1 h 05 min", "2 min 10 s", "8 s".
 std::string duration(double seconds);

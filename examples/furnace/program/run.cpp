@@ -53,6 +53,10 @@ class session {
             if (tells()) std::fputs(expectation(scene_, planned_).c_str(), stdout);
             return exit_code::done;
         }
+        if (command_.sensitivities) {
+            std::fputs(table_of(solve_shaft_profile(scene_), sensitivities(scene_)).c_str(), stdout);
+            return exit_code::done;
+        }
         saved_state saved;
         std::string remark;
         if (!command_.restart.empty()) saved = read_checkpoint(command_.restart, scene_, remark);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include <hearth/furnace/sensitivities.hpp>
 #include <hearth/furnace/shaft_profile.hpp>
 #include <hearth/furnace/spinel.hpp>
 
@@ -82,4 +84,28 @@ TEST_CASE("shaft profile: fuel that cannot burn is refused") {
     scene.burners.equivalence_ratio = 5;
     scene.air.volume_flow = 0.01;
     CHECK_THROWS_AS(solve_shaft_profile(scene, 100), bad_scene);
+}
+
+TEST_CASE("shaft profile: its answers to single inputs are those of the physics") {
+    const shaft_profile base = solve_shaft_profile(settings{});
+    const auto all = sensitivities(settings{});
+    const auto of = [&](const std::string& input) -> const sensitivity& {
+        return *std::find_if(all.begin(), all.end(), [&](const sensitivity& s) { return s.input.rfind(input, 0) == 0; });
+    };
+    for (const sensitivity& s : all) {
+        CAPTURE(s.input);
+        CHECK(s.less.converged);
+        CHECK(s.more.converged);
+    }
+    CHECK(of("burner flow").more.peak_particle_temperature > of("burner flow").less.peak_particle_temperature);
+    CHECK(of("loss of the wall").less.wall_heat_loss == 0);
+    CHECK(of("loss of the wall").more.peak_particle_temperature < base.peak_particle_temperature);
+    // Ergun: (1 - e)/e^3 and (1 - e)^2/e^3 over the total, compressible drop, some 7 % per 0.01: 0.02 either way is 28 % of it.
+    const double span = (of("void fraction").less.pressure_drop - of("void fraction").more.pressure_drop) / base.pressure_drop;
+    CHECK(span > 0.2);
+    CHECK(span < 0.4);
+    // 3 % of the air more take away the heat that 3 % fewer solids would leave: one goes up where the other goes down.
+    CHECK((of("flow of secondary air").more.solids_outlet_temperature < base.solids_outlet_temperature));
+    CHECK((of("flow of solids").more.solids_outlet_temperature > base.solids_outlet_temperature));
+    CHECK((of("flow of solids").more.offgas_temperature < base.offgas_temperature));
 }
