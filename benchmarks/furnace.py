@@ -50,7 +50,9 @@ def run(furnace, scene, folder, changes):
     for key, value in {**COMMON, **changes}.items():
         command += ["--set", f"{key}={value}"]
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    if done.returncode != 0:
+        return None, done.stderr.strip().splitlines()[-1:]
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     return json.loads((folder / "summary.json").read_text()), spent
@@ -64,6 +66,9 @@ def main(furnace, scene, folder):
     rows = []
     for number, (knob, name, keys) in enumerate(points):
         summary, seconds = run(furnace, scene, folder / f"run_{number}", keys)
+        if summary is None:
+            print(f"{knob:22} {name:14} failed: {' '.join(seconds)}", flush=True)
+            continue
         values = [summary[key] * scale for key, _, scale in QUANTITIES]
         rows.append((knob, name, seconds, values))
         print(f"{knob:22} {name:14} {seconds:7.1f} s  " + "  ".join(f"{v:9.1f}" for v in values), flush=True)
