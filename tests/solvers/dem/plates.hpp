@@ -53,19 +53,26 @@ inline double yagi_kunii(double kelvin, double beta, double emissivity, double v
 struct plate_bed {
     bed spheres;
     int parcel_factor;
+    double radius = 0;  ///< of the tube [m]
     double height = 0;  ///< between the plates [m]
-    zone core{};        ///< what is farther than 2.5 diameters from all walls
+    zone core{};        ///< what is farther than 2.5 diameters from all walls; of a smaller bed the middle
     double solid = 0;   ///< fraction of the core [-]
 
     plate_bed(int factor, double radius, double column, double friction, double gravity = 9.81)
         : plate_bed(factor, radius, column, settings(factor, friction, gravity)) {}
-    plate_bed(int factor, double radius, double column, const bed_settings& s) : spheres(s), parcel_factor(factor) {
+    /// As much as there is room for in a column, but no more than a mass [kg].
+    plate_bed(int factor, double radius_, double column, const bed_settings& s, double most = 1e300)
+        : spheres(s), parcel_factor(factor), radius(radius_) {
         const double d = factor * iron::diameter;
         bed_settings smooth = spheres.settings();
         smooth.contact.friction = 0;
         spheres.add_wall(wall_of(smooth, hearth::dem::shape::plane({0, 0, 0}, {0, 0, 1}), 0));
         spheres.add_wall(wall_of(smooth, hearth::dem::shape::cylinder({0, 0, -1}, {0, 0, 10}, radius), 1));
         feed_into({{0, 0, 0}, radius, column}, iron::density, d, d).fill(spheres);
+        std::vector<std::int32_t> spare;
+        for (hearth::dem::index i = 0; i < spheres.size(); ++i)
+            if (static_cast<double>(spheres.ids()[i] + 1) * spheres.mass(i) > most) spare.push_back(i);
+        if (!spare.empty()) spheres.remove(spare);
         settle(spheres, 60000);
         double top = 0;
         for (hearth::dem::index i = 0; i < spheres.size(); ++i) top = std::fmax(top, spheres.spheres()[i].centre.z + d / 2);
@@ -80,7 +87,8 @@ struct plate_bed {
         }
         spheres.set_motion(lid, {});
         settle(spheres, 20000);
-        core = {{0, 0, 2.5 * d}, radius - 2.5 * d, height - 5 * d};
+        const double aside = std::fmin(2.5 * d, 0.5 * radius), above = std::fmin(2.5 * d, 0.3 * height);
+        core = {{0, 0, above}, radius - aside, height - 2 * above};
         solid = solid_fraction(spheres, core);
     }
 
@@ -179,7 +187,7 @@ inline conductivity_parts conductivity_between_plates(plate_bed& made, double ke
     for (const auto& w : links.walls) {
         if (w.patch != 0) continue;
         found.between_plates += w.link.heat(temperature[static_cast<std::size_t>(w.particle)], kelvin + 10) * made.height /
-                                (20 * pi * std::pow(made.core.radius + 2.5 * d, 2));
+                                (20 * pi * made.radius * made.radius);
     }
     double sz = 0, st = 0, szz = 0, szt = 0, count = 0;
     const auto inside = [&](std::int32_t i) {
