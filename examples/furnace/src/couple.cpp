@@ -65,7 +65,7 @@ void furnace::parts::use_bed(std::unique_ptr<dem::moving_bed> made) {
     }
     coarse_graining = 2 * volume / surface / sauter_diameter(scene);
     residence_time = scene.particles.mass_flow > 0 ? bed_mass / scene.particles.mass_flow : 3600.0;
-    process_step = scene.time.residence_times * residence_time / scene.time.couplings;
+    process_step = step_length();
     fields.start(static_cast<std::size_t>(bed->size()), scene.particles.feed_temperature);
 }
 
@@ -131,7 +131,14 @@ void furnace::parts::move(double time) {
     fields.carry(passed, scene.particles.feed_temperature);
 }
 
+double furnace::parts::step_length() const {
+    const int first = scene.time.couplings / 2;
+    const double factor = scene.time.first_step_factor, steps = first * factor + (scene.time.couplings - first);
+    return scene.time.residence_times * residence_time / steps * (couplings < first ? factor : 1);
+}
+
 void furnace::parts::couple() {
+    process_step = step_length();
     shaft.solver.forget_levels();  // so that a step depends on what each_part lists alone
     const double enthalpy_before = bed_enthalpy(), mass_before = bed->total_mass();
     fed_mass = passed_mass = passed_enthalpy = passed_over_feed = 0;

@@ -105,6 +105,7 @@ void describe(Settings& s, Key&& key) {
     key("time", "acceleration_tolerance", s.time.acceleration_tolerance, range{1e-6, 1}, "Error of a stone's temperature, over the step of the gas's that it follows, that auto allows Gamma to cause");
     key("time", "couplings", s.time.couplings, range{1, 1e7}, "Exchanges between gas and bed in all");
     key("time", "residence_times", s.time.residence_times, range{0, 1000}, "Process time over the residence time of the solids");
+    key("time", "first_step_factor", s.time.first_step_factor, range{1, 100}, "Steps of the first half of the couplings over those of the second: long ones first, for the shaft settles within hours, and short ones then, for exactness");
     key("time", "start", s.time.start, range{}, "Where the temperatures start from");
     key("time", "balance_tolerance", s.time.balance_tolerance, range{1e-6, 1}, "Enthalpy imbalance over fuel power at which the run is converged");
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "parts.hpp"
+#include "wall_layer.hpp"
 
 namespace hearth::furnace {
 
@@ -19,6 +20,9 @@ void furnace::parts::place_bed() {
     distribute(shaft.transfer);
     const filtered_fraction_report report = distribute(shaft.fill);
     stranded = report.cap.stranded_volume;
+    if (coarse_graining > 1 && packed_by_dem()) {
+        narrow_wall_layer(shaft.grid(), 0.5 * scene.shaft.diameter, scene.shaft.height, coarse_graining, scene.mesh.across / 2, solid);
+    }
     auto& fluid = shaft.solver.bed;
     for (int c = 0; c < shaft.grid().owned_cells(); ++c) fluid.void_fraction[c] = 1 - solid[static_cast<std::size_t>(c)];
     fluid.diameter.assign(solid.size(), sauter_diameter(scene));

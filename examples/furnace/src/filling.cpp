@@ -20,8 +20,8 @@ constexpr double pi = 3.14159265358979323846, earth = 9.81;
 constexpr double apart = 1.12,
                  above = 0.73;  // spacing of the start in a layer and of layers, over the largest diameter
 constexpr int floor_wall = 0;
-constexpr int stretch = 25;       // steps between two updates of feed, outflow and the gas's push
-constexpr double starting = 1;    // parcels that the bed sinks by before it is recorded
+constexpr int stretch = 100;    // steps between two updates of feed, outflow and the gas's push
+constexpr double starting = 1;  // parcels that the bed sinks by before it is recorded
 constexpr double frames_a_diameter = 5;
 constexpr double stiff =
     3.77e8;  // modulus at which the bed's weight makes overlaps that do not count [Pa]; the paper's
@@ -116,7 +116,7 @@ void filling::advance() {
             now_ = stage::done;
             return;
         case stage::starting:
-            move(4 * stretch);
+            move();
             bed_.update_ghosts();
             recorder_->meet(bed_);
             if (outflow_->now().taken < sinking(starting)) return;
@@ -126,7 +126,7 @@ void filling::advance() {
             now_ = stage::recording;
             return;
         case stage::recording:
-            move(4 * stretch);
+            move();
             if (outflow_->now().taken - taken_ < sinking(1 / frames_a_diameter)) return;
             taken_ = outflow_->now().taken;
             recorder_->observe(bed_);
@@ -210,14 +210,12 @@ void filling::push_by_gas() {
     }
 }
 
-void filling::move(int steps) {
+void filling::move() {
     const double seconds = stretch * bed_.settings().step;
-    for (int k = 0; k < steps; k += stretch) {
-        push_by_gas();
-        bed_.advance(stretch);
-        feed_->update(bed_, seconds);
-        outflow_->update(bed_, seconds);
-    }
+    push_by_gas();
+    bed_.advance(stretch);
+    feed_->update(bed_, seconds);
+    outflow_->update(bed_, seconds);
 }
 
 /// Takes away what lies above a level; not what still falls.

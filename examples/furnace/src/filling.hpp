@@ -47,7 +47,7 @@ class filling {
     void set_gravity(double share);
     void begin_motion();
     void make_motion();
-    void move(int steps);
+    void move();
     void push_by_gas();
     void cut(double level);
     double sinking(double diameters) const;  ///< mass that leaves while the bed sinks by so many parcels [kg]

@@ -99,6 +99,7 @@ struct furnace::parts {
     void fill_step();
     void ignite();
     void couple();
+    double step_length() const;  ///< of the next coupling, by the process's clock [s]
     void judge();
 
     void use_bed(std::unique_ptr<dem::moving_bed> made);

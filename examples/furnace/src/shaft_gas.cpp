@@ -55,7 +55,11 @@ namespace {
 gas::solver_settings solver_settings_of(const settings& scene) {
     gas::solver_settings s;
     s.reference_pressure = scene.gas.pressure;
-    s.turbulence = false;  // the free space above the bed only collects what leaves it
+    // Gas in the bed has lost its momentum after a diameter, and the free space above only collects what leaves it: there
+    // gas feels a thousandth of what it feels in the bed.  With its inertia it grows unstable where parcels stick out.
+    s.turbulence = false;
+    s.flow.inertia = false;
+    s.flow.resistance_floor = 5;
     s.energy_relaxation = 1;  // the bed holds temperatures
     s.scalars.relative = 1e-6;
     s.flow.pressure.relative = 1e-6;  // what mass misses, enthalpy and species miss as well

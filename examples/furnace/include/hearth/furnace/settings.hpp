@@ -129,6 +129,7 @@ struct settings {
         double acceleration_tolerance = 0.01;      ///< that auto allows [-]
         int couplings = 360;
         double residence_times = 6;
+        double first_step_factor = 1;      ///< steps of the first half of the couplings over those of the second
         start_from start = start_from::one_dimensional;
         double balance_tolerance = 0.01;   ///< enthalpy imbalance over fuel power at which a run is converged
     } time;
