@@ -21,7 +21,8 @@ void furnace::parts::place_bed() {
     const filtered_fraction_report report = distribute(shaft.fill);
     stranded = report.cap.stranded_volume;
     if (coarse_graining > 1 && packed_by_dem()) {
-        narrow_wall_layer(shaft.grid(), 0.5 * scene.shaft.diameter, scene.shaft.height, coarse_graining, scene.mesh.across / 2, solid);
+        narrow_wall_layer(shaft.grid(), 0.5 * scene.shaft.diameter, scene.shaft.height, coarse_graining, scene.mesh.across / 2, shaft.among(),
+                          solid);
     }
     auto& fluid = shaft.solver.bed;
     for (int c = 0; c < shaft.grid().owned_cells(); ++c) fluid.void_fraction[c] = 1 - solid[static_cast<std::size_t>(c)];

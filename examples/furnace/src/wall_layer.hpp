@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include <hearth/gas/mesh.hpp>
+#include <hearth/gas/parallel.hpp>
 
 namespace hearth::furnace {
 
@@ -14,25 +16,23 @@ namespace hearth::furnace {
 /// brought nearer to that of the bed, to a k-th of the distance.  What is random in it stays, and so does the solid
 /// volume of the shaft.
 inline void narrow_wall_layer(const gas::mesh& mesh, double radius, double height, double coarse_graining, int rings,
-                              std::vector<double>& solid) {
+                              const gas::parallel& ranks, std::vector<double>& solid) {
     std::vector<double> held(static_cast<std::size_t>(rings)), volume(held);
-    double all_held = 0, all_volume = 0;
     const auto ring = [&](int c) {
         const double share = std::hypot(mesh.centre[c].x, mesh.centre[c].y) / radius;
         return static_cast<std::size_t>(std::clamp(static_cast<int>(share * rings), 0, rings - 1));
     };
-    for (int c = 0; c < mesh.cells(); ++c) {
+    for (int c = 0; c < mesh.owned_cells(); ++c) {
         if (mesh.centre[c].z > height) continue;
         held[ring(c)] += mesh.volume[c] * solid[static_cast<std::size_t>(c)];
         volume[ring(c)] += mesh.volume[c];
     }
-    for (std::size_t r = 0; r < held.size(); ++r) {
-        all_held += held[r];
-        all_volume += volume[r];
-    }
-    for (int c = 0; c < mesh.cells(); ++c) {
+    ranks.sum(held.data(), rings);
+    ranks.sum(volume.data(), rings);
+    const double mean = std::accumulate(held.begin(), held.end(), 0.0) / std::accumulate(volume.begin(), volume.end(), 0.0);
+    for (int c = 0; c < mesh.owned_cells(); ++c) {
         if (mesh.centre[c].z > height || !(held[ring(c)] > 0)) continue;
-        const double mean = all_held / all_volume, here = held[ring(c)] / volume[ring(c)];
+        const double here = held[ring(c)] / volume[ring(c)];
         solid[static_cast<std::size_t>(c)] *= (mean + (here - mean) / coarse_graining) / here;
     }
 }
