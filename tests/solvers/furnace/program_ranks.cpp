@@ -48,7 +48,8 @@ TEST_CASE("program on ranks: one voice, whole files, and the answer of one rank"
     }
     // The same files, with as much in them.
     const auto of_two = content(results), of_one = content(folder / "one");
-    for (const auto& [name, text] : of_one) {
+    for (const auto& entry : of_one) {
+        const std::string &name = entry.first, &text = entry.second;
         CAPTURE(name);
         REQUIRE(of_two.count(name) == 1);
         if (name.find(".hdf") != std::string::npos) CHECK(of_two.at(name).size() == text.size());
