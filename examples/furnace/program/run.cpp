@@ -54,7 +54,7 @@ class session {
             return exit_code::done;
         }
         if (command_.sensitivities) {
-            std::fputs(table_of(solve_shaft_profile(scene_), sensitivities(scene_)).c_str(), stdout);
+            if (tells()) std::fputs(table_of(solve_shaft_profile(scene_), sensitivities(scene_)).c_str(), stdout);
             return exit_code::done;
         }
         saved_state saved;
