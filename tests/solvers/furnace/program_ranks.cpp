@@ -100,3 +100,14 @@ TEST_CASE("program on ranks: what is wrong is said once, and nobody waits") {
     CHECK(end.code == 3);
     CHECK(count_of(end.err, "cannot be made") == 1);
 }
+
+TEST_CASE("program on ranks: an error that one rank alone meets ends all, with its words") {
+    const fs::path folder = fresh("ranks_alone");
+    const std::string scene = small_scene(folder), output = folder / "results";
+    // Two programs in one run: the second has a scene of its own, which is wrong.
+    const ending end = run(folder, {scene, "--output", output, ":", "-np", "1", HEARTH_FURNACE_PROGRAM, scene, "--set", "mesh.cells_across=1"}, {},
+                           {HEARTH_MPIEXEC, "-np", "1"});
+    INFO(end.err);
+    CHECK(end.code == 2);
+    CHECK(count_of(end.err, "furnace: rank 1: --set: mesh.cells_across is 1, allowed: 4 to 1000\n") == 1);
+}
