@@ -22,6 +22,7 @@ SLOWER_WARNS = 2.0        # run time over the recorded one that is worth a line
 BAND = 1.25               # width of an accepted band, up and down
 SMALLEST = 1e-17          # drawn for 0 on a logarithmic axis
 EXACT = 1e-12             # an error below this is round-off: its band is [0, 10 * EXACT]
+ABSENT = "absent: "       # begins the message of a benchmark whose rival is not installed: it is skipped, with its band
 SUFFIX = re.compile(r"/((real|process|manual)_time|(iterations|repeats|threads|min_time|min_warmup_time):[\d.]+)")
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 # What Google Benchmark itself writes about a benchmark; all else are counters that the benchmark has set.
@@ -39,10 +40,14 @@ Point = collections.namedtuple("Point", "name family method variant parameter va
 
 
 def read(files):
-    """Returns the points, and what went wrong in the benchmarks themselves."""
-    points, failed = [], []
+    """Returns the points, what went wrong in the benchmarks themselves, and the names of those whose rival is absent."""
+    points, failed, absent = [], [], []
     for file in files:
         for entry in json.loads(pathlib.Path(file).read_text())["benchmarks"]:
+            if entry.get("error_occurred") and entry["error_message"].startswith(ABSENT):
+                absent.append(SUFFIX.sub("", entry["name"]))
+                print(f"skipped: {absent[-1]}: {entry['error_message'][len(ABSENT):]}")
+                continue
             if entry.get("error_occurred"):
                 failed.append(f"{entry['name']} failed: {entry['error_message']}")
                 continue
@@ -56,7 +61,7 @@ def read(files):
             counters = {key: value for key, value in entry.items() if key not in STANDARD and key != "error"}
             points.append(Point(name, family, method, " ".join(rest[:-1]), parameter, value, seconds,
                                 entry.get("error"), counters, entry.get("label", "")))
-    return points, failed
+    return points, failed, absent
 
 
 def number(text):
@@ -182,7 +187,7 @@ def accept(points, bands, file):
             writer.writerow([name, *(f"{bands[name][key]:.3g}" for key in ("lowest", "highest", "seconds"))])
 
 
-def check(points, bands):
+def check(points, bands, absent):
     """Returns what is wrong; prints what is only slow."""
     wrong = []
     for point in points:
@@ -195,7 +200,7 @@ def check(points, bands):
             print(f"warning: {point.name} took {si(point.seconds, 's')}, recorded {si(band['seconds'], 's')}")
     names, families = {point.name for point in points}, {point.family for point in points}
     wrong += [f"{name}: has a band, but was not run" for name in sorted(bands)
-              if name not in names and name.split("/")[0] in families]
+              if name not in names and name not in absent and name.split("/")[0] in families]
     return wrong
 
 
@@ -208,7 +213,7 @@ def main():
     parser.add_argument("--accept", action="store_true", help="write the bands anew around this run")
     arguments = parser.parse_args()
 
-    points, failed = read(arguments.json)
+    points, failed, absent = read(arguments.json)
     arguments.output.mkdir(parents=True, exist_ok=True)
     text = ["# Error against run time", "", "Run time is of one iteration; `over stream` is run time over the time that the"
             " bytes which must move take at the STREAM bandwidth of the same run.", ""]
@@ -228,7 +233,7 @@ def main():
     if arguments.accept:
         accept(with_error, bands, arguments.bands)
         return 0
-    wrong = failed + check(with_error, bands)
+    wrong = failed + check(with_error, bands, absent)
     for line in wrong:
         print("error: " + line, file=sys.stderr)
     return 1 if wrong else 0

@@ -73,6 +73,14 @@ class Report(unittest.TestCase):
         self.assertIn("family/broken/steps:1 failed: no memory", text)
         self.assertIn("| ours | 1 |", (self.folder / "report.md").read_text())
 
+    def test_a_rival_that_is_not_installed_is_skipped_with_its_band(self):
+        run = [entry("family/ours/steps:1", 0.1, 1.0), entry("family/rival/steps:1", 0.1, 1.0)]
+        self.run_report(run, "--accept")
+        run[1] = {**run[1], "error_occurred": True, "error_message": "absent: rival is not installed"}
+        status, text = self.run_report(run)
+        self.assertEqual(status, 0)
+        self.assertIn("skipped: family/rival/steps:1: rival is not installed", text)
+
     def test_a_benchmark_without_error_has_a_row_and_no_band(self):
         self.assertEqual(self.run_report([entry("family/ours/steps:1", None, 1.0)])[0], 0)
         self.assertIn("| ours | 1 | 1 s |  | 1 ns |", (self.folder / "report.md").read_text())

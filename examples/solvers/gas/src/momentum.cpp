@@ -37,9 +37,11 @@ void flow::assemble_momentum(const flow_state& state, const flow_medium& medium,
                       drag * medium.void_fraction[c] * medium.particle_velocity[c];
         if (!settings.inertia) diagonal = std::max(diagonal, settings.resistance_floor * v);
         total_[c] = diagonal;
-        inertia_[c] = relax_[c] = 0;
+        inertia_[c] = 0;
+        relax_[c] = drag;  // against changes a quadratic law resists twice: Newton's step, be flow or pressure given
         if (!settings.inertia) continue;
-        relax_[c] = std::max((1 - settings.relaxation) / settings.relaxation * diagonal, settings.resistance_floor * v);
+        relax_[c] = std::max(relax_[c] + (1 - settings.relaxation) / settings.relaxation * (diagonal - drag),
+                             settings.resistance_floor * v);
         if (history.step > 0) inertia_[c] = v * history.density[c] * history.void_fraction[c] * iv * iv / history.step;
         diagonal += relax_[c] + inertia_[c];
     }

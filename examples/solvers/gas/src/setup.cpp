@@ -52,7 +52,6 @@ solver::solver(const mesh& m, std::shared_ptr<const gas_model> model, solver_set
     scalar_boundary_.temperature.assign(b, 300.0);
     boundary_.velocity.assign(b, {});
     boundary_fraction_.assign(species_, array<double>(b, 0.0));
-    slip_speed_.assign(n, 0.0);
     free_.assign(n, 1);
     medium_.compressibility.assign(n, 0.0);
     medium_.exchange.assign(n, 0.0);

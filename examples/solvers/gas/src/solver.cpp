@@ -52,11 +52,9 @@ void solver::update_medium() {
             medium_.exchange[c] = bed.exchange[c];
             continue;
         }
-        // mean of the last speed and this one: for a quadratic law under a given pressure that is Newton's step
         const double slip = norm(1 / e * gas.flow.velocity[c] - bed.particle_velocity[c]);
-        slip_speed_[c] = slip_speed_[c] > 0 ? 0.5 * (slip_speed_[c] + slip) : slip;
-        medium_.exchange[c] = free_[c] ? 0 : settings.drag({e, slip_speed_[c], gas.density[c], gas.viscosity[c],
-                                                           bed.diameter[c]});
+        medium_.exchange[c] =
+            free_[c] ? 0 : settings.drag({e, slip, gas.density[c], gas.viscosity[c], bed.diameter[c]});
     }
     ranks_->gather(medium_.exchange.data(), 1);
     for (int f = m.internal_faces(); f < m.faces(); ++f) {
@@ -165,7 +163,7 @@ report solver::level_zero(int iterations) {
 void solver::start_from_rest() {
     double moving = 0;
     for (const double f : gas.flow.mass_flux) moving += f != 0;
-    if (ranks_->sum(moving) == 0) level_zero();
+    if (ranks_->sum(moving) == 0) level_zero(3);
 }
 
 report solver::iterate() {

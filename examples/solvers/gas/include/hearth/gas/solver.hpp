@@ -115,7 +115,6 @@ class solver {
     /// checkpoint holds it too.
     template <class Part>
     void each_memory(Part&& part) {
-        part("slip_speed", slip_speed_);
         part("wall_viscosity", boundary_.wall_viscosity);
         part("old_void", old_void_);
         flow_.each_memory(part);
@@ -163,7 +162,7 @@ class solver {
     scalar_boundary scalar_boundary_;
     array<array<double>> boundary_fraction_;   // per species, per boundary face
     array<double> face_conductance_, face_source_;         // of walls, per boundary face [W/K], [W]
-    array<double> boundary_diffusion_, slip_speed_, old_void_;
+    array<double> boundary_diffusion_, old_void_;
     array<double> stored_density_;  // that the balance of mass of the last iteration ended with [kg/m^3]
     array<char> free_;
 };
