@@ -5,11 +5,8 @@
 //     bound     the same of processor time outside of messages, the busiest rank's: what a free network would give
 //     ghosts    copies of other ranks' particles over owned ones
 #include <chrono>
-#include <cstring>
-#include <ctime>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -18,6 +15,7 @@
 
 #include "dem/settled_bed.hpp"
 #include "support/counters.hpp"
+#include "support/ranks.hpp"
 
 namespace {
 
@@ -25,12 +23,6 @@ using namespace hearth::dem;
 using clock = std::chrono::steady_clock;
 
 double seconds_since(clock::time_point begin) { return std::chrono::duration<double>(clock::now() - begin).count(); }
-double processor_seconds() {
-    std::timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 /// Ranks that count the processor time they spend in messages.
 class timed_ranks final : public ranks {
   public:
@@ -56,25 +48,13 @@ class timed_ranks final : public ranks {
   private:
     template <class Call>
     auto timed(Call&& call) const -> decltype(call()) {
-        const double begin = processor_seconds();
+        const double begin = bench::processor_seconds();
         const auto result = call();
-        in_messages += processor_seconds() - begin;
+        in_messages += bench::processor_seconds() - begin;
         return result;
     }
     std::shared_ptr<ranks> to_ = over(hearth::mpi::communicator());
 };
-
-/// Lets rank 0 work alone: the others sleep, and take no core from it.
-template <class Work>
-void alone(const ranks& among, Work&& work) {
-    if (among.rank() == 0) work();
-    MPI_Request done;
-    MPI_Ibarrier(MPI_COMM_WORLD, &done);
-    for (int there = 0; !there;) {
-        MPI_Test(&done, &there, MPI_STATUS_IGNORE);
-        if (!there) std::this_thread::sleep_for(std::chrono::microseconds(200));
-    }
-}
 
 /// The bed on rank 0, and the same on all.
 struct fixture {
@@ -83,7 +63,7 @@ struct fixture {
 
     fixture(int layers, int axis) : together(bench::empty_cylinder({among, axis, 0})) {
         std::vector<std::vector<char>> parts;
-        alone(*among, [&] {
+        bench::alone(among->rank(), [&] {
             single = bench::settled_layer();
             if (layers > 1) single = bench::settled_layers(single, layers);
             parts.push_back(single.state());
@@ -101,17 +81,17 @@ void settled(benchmark::State& state, int layers, int axis) {
         f.among->max(0.0);  // all are awake
         f.among->in_messages = 0;
         const auto begin = clock::now();
-        const double processor_begin = processor_seconds();
+        const double processor_begin = bench::processor_seconds();
         f.together.advance(steps);
-        const double mine = processor_seconds() - processor_begin - f.among->in_messages;
+        const double mine = bench::processor_seconds() - processor_begin - f.among->in_messages;
         const double seconds = f.among->max(seconds_since(begin));
         together = std::min(together, seconds);
         work = std::min(work, f.among->max(mine));
-        alone(*f.among, [&] {
+        bench::alone(f.among->rank(), [&] {
             const auto begin_alone = clock::now();
-            const double processor_alone = processor_seconds();
+            const double processor_alone = bench::processor_seconds();
             f.single.advance(steps);
-            single_work = std::min(single_work, processor_seconds() - processor_alone);
+            single_work = std::min(single_work, bench::processor_seconds() - processor_alone);
             single = std::min(single, seconds_since(begin_alone));
         });
         state.SetIterationTime(seconds);
@@ -123,13 +103,6 @@ void settled(benchmark::State& state, int layers, int axis) {
     state.counters["ghosts"] = static_cast<double>(f.together.ghost_count()) / f.together.size();
     bench::set_items(state, items);
 }
-
-/// Only rank 0 prints.
-class silent_reporter : public benchmark::BenchmarkReporter {
-  public:
-    bool ReportContext(const Context&) override { return true; }
-    void ReportRuns(const std::vector<Run>&) override {}
-};
 
 }  // namespace
 
@@ -145,21 +118,7 @@ int main(int argc, char** argv) {
         add("across the axis/particles:20000", 1, 2, 500);
         add("along the axis/particles:20000", 1, 0, 500);
         add("across the axis/particles:200000", 10, 2, 100);
-        if (ranks.rank() == 0) {
-            benchmark::Initialize(&argc, argv);
-            benchmark::RunSpecifiedBenchmarks();
-        } else {
-            // The other ranks take the filter, but write no file.
-            std::vector<char*> arguments;
-            for (int k = 0; k < argc; ++k) {
-                if (std::strstr(argv[k], "--benchmark_out") == nullptr) arguments.push_back(argv[k]);
-            }
-            int count = static_cast<int>(arguments.size());
-            benchmark::Initialize(&count, arguments.data());
-            silent_reporter none;
-            benchmark::RunSpecifiedBenchmarks(&none);
-        }
-        benchmark::Shutdown();
+        bench::run_on_ranks(ranks.rank(), argc, argv);
     }
     MPI_Finalize();
 }

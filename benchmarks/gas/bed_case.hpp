@@ -28,16 +28,24 @@ struct bed_case {
         const double units = heat_exchange * std::min(z, height) / (flux() * air().heat_capacity);
         return particle_temperature - (particle_temperature - temperature) * std::exp(-units);
     }
-    double drop_from(double z) const {
+    /// `e` is the void fraction that inertia knows: 1 for a solver that only adds a resistance.
+    double drop_from(double z, double e = void_fraction) const {
         const int steps = 10000;
         const double h = (height - z) / steps;
-        double above = 0;  // midpoint rule from the bed's top down
-        for (int i = 0; i < steps; ++i) {
-            const double t = temperature_at(height - (i + 0.5) * h), rho = air().density(pressure + above, t, nullptr);
+        const auto volume = [&](double at, double p) {
+            return 1 / air().density(pressure + p, temperature_at(at), nullptr);
+        };
+        double upper = volume(height, 0),
+               above = -0.5 * flux() * flux() * upper * (1 / (e * e) - 1);  // Bernoulli at the top
+        for (int i = 0; i < steps; ++i) {                                   // from the bed's top down
+            const double middle = height - (i + 0.5) * h, rho = 1 / volume(middle, above);
+            const double lower = volume(middle - 0.5 * h, above);
+            above += flux() * flux() / (e * e) * (upper - lower);
             above += h * hearth::closure::pressure_gradient(
-                             hearth::closure::ergun{},
-                             hearth::closure::bed_flow<double>{void_fraction, flux() / rho / void_fraction, rho,
-                                                               air().viscosity(t, nullptr), diameter});
+                             hearth::closure::ergun{}, hearth::closure::bed_flow<double>{
+                                                           void_fraction, flux() / rho / void_fraction, rho,
+                                                           air().viscosity(temperature_at(middle), nullptr), diameter});
+            upper = lower;
         }
         return above;
     }

@@ -19,6 +19,7 @@
 #include <hearth/voidage/vfs.hpp>
 
 #include "support/counters.hpp"
+#include "support/ranks.hpp"
 
 namespace {
 
@@ -116,13 +117,6 @@ void weak_scaling(benchmark::State& state, const fixture& f, Smooth&& smooth) {
     bench::set_items(state, f.graph.cell_count());
 }
 
-/// Only rank 0 prints.
-class silent_reporter : public benchmark::BenchmarkReporter {
-  public:
-    bool ReportContext(const Context&) override { return true; }
-    void ReportRuns(const std::vector<Run>&) override {}
-};
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -142,21 +136,7 @@ int main(int argc, char** argv) {
         add("weak scaling/VFS completed", 10, [&](benchmark::State& state) {
             weak_scaling(state, f, [&](auto& values) { benchmark::DoNotOptimize(vfs.smooth(values)); });
         });
-        if (f.ranks.rank() == 0) {
-            benchmark::Initialize(&argc, argv);
-            benchmark::RunSpecifiedBenchmarks();
-        } else {
-            // The other ranks take the filter, but write no file.
-            std::vector<char*> arguments;
-            for (int k = 0; k < argc; ++k) {
-                if (std::string(argv[k]).find("--benchmark_out") == std::string::npos) arguments.push_back(argv[k]);
-            }
-            int count = static_cast<int>(arguments.size());
-            benchmark::Initialize(&count, arguments.data());
-            silent_reporter none;
-            benchmark::RunSpecifiedBenchmarks(&none);
-        }
-        benchmark::Shutdown();
+        bench::run_on_ranks(f.ranks.rank(), argc, argv);
     }
     MPI_Finalize();
 }
