@@ -63,6 +63,31 @@ def plates(figure, summary):
               title="error against run time, over how far radiation looks")
 
 
+METHODS = (("filtered", RED, "filtered (default)"), ("vfs_paper", BLUE, "smoother of the paper"),
+           ("vfs_completed", GREEN, "smoother completed"), ("cut_off", ORANGE, "cut off at 0.9"))
+
+
+def cold_bed(figure, summary):
+    left, right = figure.subplots(1, 2)
+    t = table("pressure_drop.csv")
+    u = t["velocity_m_per_s"]
+    left.loglog(u, t["ergun_Pa"], color="k", lw=0.8, ls=":", label="Ergun")
+    left.loglog(u, t["eisfeld_schnitzlein_Pa"], color="k", lw=1, label="Eisfeld and Schnitzlein")
+    for name, colour, word in METHODS:
+        if name + "_Pa" in t:
+            left.loglog(u, t[name + "_Pa"], "o--", color=colour, ms=4, lw=0.8, label=word)
+    left.set(xlabel="superficial velocity [m/s]", ylabel="pressure drop [Pa]", title="cold bed (Fig. 5)")
+    left.legend()
+    m = table("over_mesh.csv")
+    for name, colour, word in METHODS:
+        if name + "_time_s" in m:
+            right.loglog(m[name + "_time_s"], m[name + "_over_reference"], "o-", color=colour, ms=4, lw=1, label=word)
+            for x, y, k in zip(m[name + "_time_s"], m[name + "_over_reference"], m["cells_per_diameter"]):
+                right.annotate("%g" % k, (x, y), xytext=(3, 3), textcoords="offset points", color=colour, fontsize=7)
+    right.axhspan(1 / 1.15, 1.15, color="0.9")
+    right.set(xlabel="run time [s]", ylabel="pressure gradient over Eisfeld and Schnitzlein", title="against run time, over cells per diameter")
+
+
 def heated_bed(figure, summary):
     left, right = figure.subplots(1, 2)
     t = table("temperatures.csv")

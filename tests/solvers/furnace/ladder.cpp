@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include <hearth/furnace/rung.hpp>
@@ -82,6 +83,23 @@ TEST_CASE("ladder: a bed between plates conducts as Yagi and Kunii's within 25 %
     const auto& whole = r.column("conductivity.csv", "between_plates_W_per_mK");
     const auto& core = r.column("conductivity.csv", "core_W_per_mK");
     for (std::size_t i = 0; i < whole.size(); ++i) CHECK(whole[i] < core[i]);  // plates are a resistance
+}
+
+TEST_CASE("ladder: the pressure drop of a cold bed in a tube is Eisfeld and Schnitzlein's within 15 %, and no solid is lost") {
+    const rung_result r = scene("cold_bed", {"gas.velocities_m_per_s=[0.5, 2]", "mesh.cells_per_diameter=1.5", "voidage.compare=false",
+                                             "mesh.compared_cells_per_diameter=[1]"})
+                              ->run();
+    CHECK(r["largest_departure_percent"] < 15);  // their data scatter by 11 to 16 %
+    CHECK(r.warnings.empty());
+    CHECK(r["bed_height_m"] == doctest::Approx(0.145).epsilon(0.15));  // a bed of ten layers ends at one of them
+    CHECK(r["void_fraction"] > 0.36);
+    CHECK(r["void_fraction"] < 0.48);
+    CHECK_THROWS_AS(r["filtered_lost_solid_percent"], std::out_of_range);
+    // Between the powers 1 and 2 of the velocity, as Re 400 to 2000 has it.
+    const auto& drop = r.column("pressure_drop.csv", "filtered_Pa");
+    CHECK(drop[1] / drop[0] > 8);
+    CHECK(drop[1] / drop[0] < 16);
+    CHECK(complaint("kind = \"cold_bed\"\nbed.height_m = 0.1") == "bed.height_m is 0.1, allowed: at least 8 diameters, 0.112");
 }
 
 TEST_CASE("ladder: the heated bed follows Schumann, and lags by the law where the gas stores as the paper has it") {

@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cold_bed.hpp"
 #include "heated_bed.hpp"
 #include "plates.hpp"
 #include "rung_of.hpp"
+#include "silo.hpp"
 #include "two_spheres.hpp"
 
 namespace hearth::furnace {
@@ -14,7 +16,9 @@ const std::vector<rungs::rung_kind>& all_rungs() {
     static const std::vector<rungs::rung_kind> all{
         rungs::kind_for<rungs::two_spheres>("two spheres, and a sphere and a wall: heat over contact force (Fig. 1)"),
         rungs::kind_for<rungs::plates>("a bed between a hot and a cold plate: its effective conductivity (Figs. 2 and 3)"),
+        rungs::kind_for<rungs::cold_bed>("cold air through a packed bed: pressure drop over velocity (Fig. 5)"),
         rungs::kind_for<rungs::heated_bed>("hot air heats a fixed bed, with and without Time Scale Splitting (Fig. 6)"),
+        rungs::kind_for<rungs::silo>("a silo that is filled, fed and emptied: Janssen, plug flow, mass flow"),
     };
     return all;
 }
