@@ -113,6 +113,41 @@ def heated_bed(figure, summary):
     right.legend()
 
 
+def silo(figure, summary):
+    left, middle, right = figure.subplots(1, 3)
+    j, law, v, f = table("janssen.csv"), table("janssen_law.csv"), table("velocity.csv"), table("flow.csv")
+    left.plot([p / 1e3 for p in j["floor_Pa"]], j["level_m"], "o", color=RED, ms=5, label="floor, DEM")
+    left.plot([p / 1e3 for p in law["floor_Pa"]], law["level_m"], color=RED, lw=1, label="Janssen, K = %.2f" % summary["janssen_coefficient"])
+    left.plot([p / 1e3 for p in law["head_Pa"]], law["level_m"], color=GREY, lw=1, ls=":", label="head")
+    left.set(xlabel="stress on the floor [kPa]", ylabel="level of the filling [m]", title="silo: filling")
+    left.legend()
+    middle.plot(v["radius_m"], [1e3 * u for u in v["velocity_m_per_s"]], "o-", color=RED, ms=5, lw=1, label="DEM")
+    middle.plot(v["radius_m"], [1e3 * u for u in v["plug_m_per_s"]], color=GREY, lw=1, ls=":", label="plug")
+    middle.set(xlabel="radius [m]", ylabel="velocity of sinking [mm/s]", title="while it is fed and emptied", ylim=(0, None))
+    middle.legend()
+    right.plot(f["time_s"], f["taken_kg"], color=RED, lw=1, label="taken")
+    right.plot(f["time_s"], f["held_kg"], color=BLUE, lw=1, label="held")
+    right.set(xlabel="time [s]", ylabel="mass [kg]", title="masses", ylim=(0, None))
+    right.legend()
+
+
+def burner(figure, summary):
+    left, right = figure.subplots(1, 2)
+    t, p = table("burn_out.csv"), table("plane.csv")
+    left.plot(t["bed_temperature_K"], t["burn_out"], "o-", color=RED, ms=4, lw=1, label="burn-out of the heat")
+    left.plot(t["bed_temperature_K"], t["methane_left"], "o-", color=BLUE, ms=4, lw=1, label="methane left")
+    left.set(xlabel="temperature of the bed [K]", ylabel="share", title="one burner in a bed that stands still")
+    left.legend(loc="center left")
+    x, z = sorted(set(p["x_m"])), sorted(set(p["z_m"]))
+    places = {(a, b): k for k, (a, b) in enumerate(zip(p["x_m"], p["z_m"]))}
+    grid = [[p["gas_temperature_K"][places[a, b]] for a in x] for b in z]
+    painted = right.pcolormesh(x, z, grid, cmap="inferno", shading="nearest")
+    right.quiver(p["x_m"], p["z_m"], p["velocity_x_m_per_s"], p["velocity_z_m_per_s"], color="w", width=0.003)
+    right.set(xlabel="depth from the burner's wall [m]", ylabel="height [m]", aspect="equal",
+              title="gas at %g K of the bed" % t["bed_temperature_K"][-1])
+    figure.colorbar(painted, ax=right, label="gas temperature [K]")
+
+
 def main():
     with open(os.path.join(here, "summary.json")) as file:
         summary = json.load(file)

@@ -121,3 +121,37 @@ TEST_CASE("ladder: the heated bed follows Schumann, and lags by the law where th
     CHECK(complaint("kind = \"heated_bed\"\nbed.heights_mm = [200]") ==
           "bed.heights_mm holds 200, allowed: up to the bed's height, 150");
 }
+
+TEST_CASE("ladder: a silo's wall carries, its bed sinks as a plug, and its masses are exact") {
+    const rung_result r = scene("silo", {"silo.diameter_m=0.1", "silo.height_m=0.3", "silo.fillings=2", "flow.mass_flow_kg_per_s=1",
+                                         "flow.duration_s=1.5"})
+                              ->run();
+    CHECK(r["weight_imbalance_percent"] < 2);  // what rests still trembles
+    CHECK(r["floor_over_head"] < 0.9);
+    // Janssen's K lies between active, 0.3, and isotropic where the wall's friction is wholly used; pouring leaves part unused.
+    CHECK(r["janssen_coefficient"] > 0.1);
+    CHECK(r["janssen_coefficient"] < 1);
+    // Sums of a few hundred masses, each to round-off.
+    CHECK(std::fabs(r["mass_imbalance_kg"]) < 1e-12);
+    CHECK(r["flow_error"] < 1e-12);
+    CHECK(r["fed_over_flow"] == doctest::Approx(1).epsilon(1e-12));
+    CHECK(r["sinking_over_plug"] == doctest::Approx(1).epsilon(0.15));  // of a bed that slackens as it starts to sink
+    CHECK(r["wall_over_centre"] > 0.7);
+    CHECK(complaint("kind = \"silo\"\n[particles]\nlargest_mm = 10") ==
+          "particles.largest_mm is 10, allowed: at least particles.smallest_mm, 16");
+}
+
+TEST_CASE("ladder: a burner's gas burns in a hot bed and not in a cold one, and keeps its elements") {
+    const rung_result r = scene("burner", {"slab.depth_m=0.16", "slab.width_m=0.1", "slab.height_m=0.24", "burner.height_m=0.1",
+                                           "burner.mass_flow_kg_per_s=0.005", "particles.temperatures_K=[800, 1800]", "mesh.cell_m=0.02"})
+                              ->run();
+    CHECK(r.warnings.empty());
+    CHECK(std::fabs(r["burn_out_first"]) < 1e-6);  // below 900 K nothing reacts
+    CHECK(r["burn_out_last"] > 0.99);
+    CHECK(r["flame_limit_K"] == 1800);
+    // Changes of a thousandth of the greatest velocity and 1e-4 of a mass fraction are left at the end.
+    CHECK(r["element_imbalance"] < 1e-4);
+    CHECK(r["unfinished_reactions"] == 0);
+    CHECK(r["hottest_gas_K"] > 1800);
+    CHECK(complaint("kind = \"burner\"\nburner.height_m = 0.8") == "burner.height_m is 0.8, allowed: below the slab's top, 0.5");
+}

@@ -14,30 +14,7 @@
 #include <hearth/voidage/filtered_fraction.hpp>
 #include <hearth/voidage/vfs.hpp>
 
-#include "grains.hpp"
-#include "rung_of.hpp"
-
-namespace hearth::furnace::rungs {
-namespace {
-
-/// Where the spheres lie: all that a cold gas wants to know of them.
-struct places {
-    std::vector<dem::vector3> centre;
-    double radius;
-};
-
-}  // namespace
-}  // namespace hearth::furnace::rungs
-
-template <>
-struct hearth::particle_traits<hearth::furnace::rungs::places> {
-    using index = std::size_t;
-    using scalar = double;
-    using cloud = hearth::furnace::rungs::places;
-    static index particle_count(const cloud& c) { return c.centre.size(); }
-    static dem::vector3 get(quantity::position, const cloud& c, index i) { return c.centre[i]; }
-    static scalar get(quantity::radius, const cloud& c, index) { return c.radius; }
-};
+#include "places.hpp"
 
 namespace hearth::furnace::rungs {
 namespace {
@@ -246,7 +223,7 @@ rung_result run(const cold_bed& s, const watcher& watch) {
         for (std::size_t k = 0; k < s.velocities.size(); ++k) {
             tell(how, s.velocities[k], s.cells_per_diameter);
             const wind::drop d = flow.blow(s.velocities[k], bed.from, bed.to);
-            done += static_cast<double>(mesh.cells());
+            done += cells_of(s, s.cells_per_diameter);
             unsettled += d.converged ? 0 : 1;
             whole.push_back(d.whole);
             gradient.push_back(d.gradient);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "burner.hpp"
 #include "cold_bed.hpp"
 #include "heated_bed.hpp"
 #include "plates.hpp"
@@ -19,6 +20,7 @@ const std::vector<rungs::rung_kind>& all_rungs() {
         rungs::kind_for<rungs::cold_bed>("cold air through a packed bed: pressure drop over velocity (Fig. 5)"),
         rungs::kind_for<rungs::heated_bed>("hot air heats a fixed bed, with and without Time Scale Splitting (Fig. 6)"),
         rungs::kind_for<rungs::silo>("a silo that is filled, fed and emptied: Janssen, plug flow, mass flow"),
+        rungs::kind_for<rungs::burner>("one burner in a slab of a bed that stands still: flame limit, burn-out"),
     };
     return all;
 }
