@@ -89,7 +89,10 @@ TEST_CASE("ladder: the pressure drop of a cold bed in a tube is Eisfeld and Schn
     const rung_result r = scene("cold_bed", {"gas.velocities_m_per_s=[0.5, 2]", "mesh.cells_per_diameter=1.5", "voidage.compare=false",
                                              "mesh.compared_cells_per_diameter=[1]"})
                               ->run();
-    CHECK(r["largest_departure_percent"] < 15);  // their data scatter by 11 to 16 %
+    CHECK(r["drop_departure_percent"] < 15);  // their data scatter by 11 to 16 %
+    // Its drag is Ergun's, which does not know that a tube's wall makes the bed easier to pass at high velocity; the void
+    // fraction varies within the bed, which makes 2 to 5 %.
+    CHECK(r["ergun_departure_percent"] < 10);
     CHECK(r.warnings.empty());
     CHECK(r["bed_height_m"] == doctest::Approx(0.145).epsilon(0.15));  // a bed of ten layers ends at one of them
     CHECK(r["void_fraction"] > 0.36);
@@ -123,7 +126,7 @@ TEST_CASE("ladder: the heated bed follows Schumann, and lags by the law where th
 }
 
 TEST_CASE("ladder: a silo's wall carries, its bed sinks as a plug, and its masses are exact") {
-    const rung_result r = scene("silo", {"silo.diameter_m=0.1", "silo.height_m=0.3", "silo.fillings=2", "flow.mass_flow_kg_per_s=1",
+    const rung_result r = scene("silo", {"silo.diameter_m=0.1", "silo.height_m=0.45", "silo.fillings=3", "flow.mass_flow_kg_per_s=1",
                                          "flow.duration_s=1.5"})
                               ->run();
     CHECK(r["weight_imbalance_percent"] < 2);  // what rests still trembles
@@ -136,7 +139,7 @@ TEST_CASE("ladder: a silo's wall carries, its bed sinks as a plug, and its masse
     CHECK(r["flow_error"] < 1e-12);
     CHECK(r["fed_over_flow"] == doctest::Approx(1).epsilon(1e-12));
     CHECK(r["sinking_over_plug"] == doctest::Approx(1).epsilon(0.15));  // of a bed that slackens as it starts to sink
-    CHECK(r["wall_over_centre"] > 0.7);
+    CHECK(r["wall_over_centre"] > 0.5);  // rubbing on the wall holds the outer layer back; a funnel would leave it at rest
     CHECK(complaint("kind = \"silo\"\n[particles]\nlargest_mm = 10") ==
           "particles.largest_mm is 10, allowed: at least particles.smallest_mm, 16");
 }

@@ -190,7 +190,7 @@ rung_result run(const silo& s, const watcher& watch) {
 
     r.findings = {
         {"floor_over_head", "floor's stress over the head of the filling", "", stress / head, "-"},
-        {"janssen_coefficient", "Janssen's K from it, D/(4 mu L)", "0.3 to 1 (theory)", s.friction > 0 ? s.diameter / (4 * s.friction * length) : 0, "-"},
+        {"janssen_coefficient", "Janssen's K from it, D/(4 mu L)", "0.3 to 1 (full friction)", s.friction > 0 ? s.diameter / (4 * s.friction * length) : 0, "-"},
         {"janssen_off_law_percent", "other levels off Janssen's law with it", "0", 100 * off_law, "%"},
         {"weight_imbalance_percent", "floor and wall off the weight", "0", 100 * balance, "%", "%.2g"},
         {"mass_imbalance_kg", "filled + fed - taken - held", "0", filled + source.now().brought - sink.now().taken - held, "kg", "%.1e"},
