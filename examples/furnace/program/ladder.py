@@ -138,9 +138,9 @@ def burner(figure, summary):
     left.plot(t["bed_temperature_K"], t["methane_left"], "o-", color=BLUE, ms=4, lw=1, label="methane left")
     left.set(xlabel="temperature of the bed [K]", ylabel="share", title="one burner in a bed that stands still")
     left.legend(loc="center left")
-    x, z = sorted(set(p["x_m"])), sorted(set(p["z_m"]))
-    places = {(a, b): k for k, (a, b) in enumerate(zip(p["x_m"], p["z_m"]))}
-    grid = [[p["gas_temperature_K"][places[a, b]] for a in x] for b in z]
+    places = {(round(a, 9), round(b, 9)): k for k, (a, b) in enumerate(zip(p["x_m"], p["z_m"]))}
+    x, z = sorted({a for a, _ in places}), sorted({b for _, b in places})
+    grid = [[p["gas_temperature_K"][places[a, b]] if (a, b) in places else float("nan") for a in x] for b in z]
     painted = right.pcolormesh(x, z, grid, cmap="inferno", shading="nearest")
     right.quiver(p["x_m"], p["z_m"], p["velocity_x_m_per_s"], p["velocity_z_m_per_s"], color="w", width=0.003)
     right.set(xlabel="depth from the burner's wall [m]", ylabel="height [m]", aspect="equal",

@@ -240,7 +240,7 @@ rung_result run(const burner& s, const watcher& watch) {
     r.tables.push_back(plane);
 
     r.findings = {
-        {"flame_limit_K", "lowest temperature of the bed at which half burns; 0: none", "900 to 1500 (kinetics)", limit, "K"},
+        {"flame_limit_K", "flame limit: coolest bed in which half burns", "", limit, "K"},
         {"burn_out_first", "burn-out of the heat at " + format(s.temperatures.front()) + " K", "", over_bed.columns[1].second.front(), "-"},
         {"burn_out_last", "burn-out of the heat at " + format(s.temperatures.back()) + " K", "1", last.burn_out, "-", "%.6f"},
         {"methane_left", "methane left at " + format(s.temperatures.back()) + " K", "0", last.fuel_left, "-", "%.1e"},

@@ -18,7 +18,7 @@ struct burner {
     std::string title = "one burner in a slab";
     double depth = 0.3, width = 0.16, height = 0.5, burner_height = 0.14;
     double diameter = 17.75e-3, density = 3580;
-    std::vector<double> temperatures{900, 1000, 1100, 1200, 1400, 1600, 1800, 2000};
+    std::vector<double> temperatures{800, 900, 1000, 1200, 1400, 1600, 1800, 2000};
     double burner_flow = 0.207 / 12, burner_diameter = 15e-3, equivalence_ratio = 1, burner_temperature = 300;
     double air_flux = 1.266, pressure = 1.16e5;
     double cell = 0.02;
