@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Single contacts against their analytic solutions.
-#include <hearth/dem/bed.hpp>
-
 #include <cmath>
 
 #include <doctest/doctest.h>
+
+#include <hearth/dem/bed.hpp>
 
 #include "solvers/dem/balls.hpp"
 #include "support/random.hpp"
@@ -71,8 +71,9 @@ TEST_CASE("Hertz impact: contact time and largest overlap") {
     CHECK(found.deepest == doctest::Approx(exact.largest_overlap()).epsilon(1e-6));
     CHECK(found.restitution == doctest::Approx(1.0).epsilon(1e-7));
     CHECK(exact.duration() ==
-          doctest::Approx(2.868265 * std::pow(mass * mass / 4 / (0.005 * exact.effective_modulus * exact.effective_modulus),
-                                              0.2)).epsilon(1e-6));
+          doctest::Approx(2.868265 *
+                          std::pow(mass * mass / 4 / (0.005 * exact.effective_modulus * exact.effective_modulus), 0.2))
+              .epsilon(1e-6));
 }
 
 TEST_CASE("order: the state of a smooth contact converges with the square of the step, with and without damping") {
@@ -126,7 +127,7 @@ TEST_CASE("angular and linear momentum of a pair are kept to 1e-12 through obliq
         b.insert({one, two});
         const auto momentum = [&] {
             std::pair<vector3, vector3> sum;
-            for (index i = 0; i < 2; ++i) {
+            for (hearth::dem::index i = 0; i < 2; ++i) {
                 const motion& m = b.motions()[i];
                 sum.first += b.mass(i) * m.velocity;
                 sum.second += cross(b.spheres()[i].centre, b.mass(i) * m.velocity) + (1 / m.inverse_inertia) * m.spin;
@@ -135,7 +136,7 @@ TEST_CASE("angular and linear momentum of a pair are kept to 1e-12 through obliq
         };
         const auto before = momentum();
         double scale = 0, linear_scale = 0;
-        for (index i = 0; i < 2; ++i) {
+        for (hearth::dem::index i = 0; i < 2; ++i) {
             const motion& m = b.motions()[i];
             linear_scale += b.mass(i) * norm(m.velocity);
             scale += b.mass(i) * norm(m.velocity) * (r1 + r2) + norm(m.spin) / m.inverse_inertia;
@@ -154,7 +155,7 @@ TEST_CASE("the paper's levers of half a diameter do not keep angular momentum") 
     b.insert({ball({0, 0, 0}, {0, 0, 0}), ball({0.0201, 0.005, 0}, {-1, 0, 0})});
     const auto momentum = [&] {
         vector3 sum;
-        for (index i = 0; i < 2; ++i) {
+        for (hearth::dem::index i = 0; i < 2; ++i) {
             const motion& m = b.motions()[i];
             sum += cross(b.spheres()[i].centre, b.mass(i) * m.velocity) + (1 / m.inverse_inertia) * m.spin;
         }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Neighbour lists against all pairs, and what must not depend on them.
-#include <hearth/dem/bed.hpp>
-
 #include <algorithm>
 #include <set>
 #include <vector>
 
 #include <doctest/doctest.h>
+
+#include <hearth/dem/bed.hpp>
 
 #include "support/random.hpp"
 
@@ -53,10 +53,11 @@ std::set<id_pair> touching(const bed& b, bool by_list) {
     std::set<id_pair> found;
     const auto name = [&](hearth::dem::index i, index j) { return std::minmax(b.ids()[i], b.ids()[j]); };
     if (by_list) {
-        b.for_each_contact([&](hearth::dem::index i, index j, double, double, const vector3&) { found.insert(name(i, j)); });
+        b.for_each_contact(
+            [&](hearth::dem::index i, index j, double, double, const vector3&) { found.insert(name(i, j)); });
     } else {
         for (hearth::dem::index i = 0; i < b.size(); ++i)
-            for (index j = i + 1; j < b.size(); ++j)
+            for (hearth::dem::index j = i + 1; j < b.size(); ++j)
                 if (norm(b.spheres()[i].centre - b.spheres()[j].centre) < b.spheres()[i].radius + b.spheres()[j].radius)
                     found.insert(name(i, j));
     }

@@ -41,9 +41,12 @@ TEST_CASE("energy of a conservative system drifts by less than 1e-6 over a milli
     b.insert(balls);
     const auto energy = [&] {
         double sum = 0;
-        for (index i = 0; i < b.size(); ++i) sum += 0.5 * b.mass(i) * dot(b.motions()[i].velocity, b.motions()[i].velocity);
-        b.for_each_contact([&](index, index, double force, double overlap, const vector3&) { sum += 0.4 * force * overlap; });
-        b.for_each_wall_contact([&](index, int, double force, double overlap, const vector3&) { sum += 0.4 * force * overlap; });
+        for (hearth::dem::index i = 0; i < b.size(); ++i)
+            sum += 0.5 * b.mass(i) * dot(b.motions()[i].velocity, b.motions()[i].velocity);
+        b.for_each_contact(
+            [&](index, index, double force, double overlap, const vector3&) { sum += 0.4 * force * overlap; });
+        b.for_each_wall_contact(
+            [&](index, int, double force, double overlap, const vector3&) { sum += 0.4 * force * overlap; });
         return sum;
     };
     // Averages over a while at the beginning and at the end: a symplectic step makes the energy swing, not drift.
@@ -80,7 +83,7 @@ TEST_CASE("two stacked balls between floor and ceiling come to rest under their 
     b.for_each_contact([&](index, index, double force, double, const vector3&) {
         CHECK(force == doctest::Approx(weight + above).epsilon(1e-9));
     });
-    for (index i = 0; i < 2; ++i) CHECK(norm(b.motions()[i].velocity) < 1e-12);
+    for (hearth::dem::index i = 0; i < 2; ++i) CHECK(norm(b.motions()[i].velocity) < 1e-12);
 }
 
 TEST_CASE("a sliding ball begins to roll after 2 v / (7 mu g), at 5/7 of its speed") {
@@ -161,7 +164,7 @@ TEST_CASE("bad input is refused with the bed as it was") {
     CHECK_THROWS_AS(b.insert({p}), hearth::bad_value);
     p = ball({0, 0, 0.05}, {0, 0, std::nan("")});
     CHECK_THROWS_AS(b.insert({p}), hearth::bad_value);
-    CHECK_THROWS_AS(b.insert({ball({0, 0, 0.021}, {})}), motion_error);            // on top of another
+    CHECK_THROWS_AS(b.insert({ball({0, 0, 0.021}, {})}), motion_error);                          // on top of another
     CHECK_THROWS_AS(b.insert({ball({1, 0, 0.02}, {}), ball({2, 0, 0.002}, {})}), motion_error);  // in the floor
     CHECK(b.size() == 1);
     CHECK(b.ids()[0] == 0);
