@@ -9,7 +9,7 @@ TEST_CASE("flow: manufactured solution, second order on smooth meshes, first on 
     // The pressure's error is that of the cells off the boundary: in the others half a cell's friction is first order.
     // Its order still rises with n where viscosity counts (Re 1).
     struct row { double bend, shake, reynolds, velocity_order, pressure_order; int finest; };
-    for (const row& r : {row{0, 0, 50, 1.8, 1.8, 128}, row{0.04, 0, 50, 1.8, 1.6, 64}, row{0.04, 0, 1, 1.8, 1.6, 64},
+    for (const row& r : {row{0, 0, 50, 1.8, 1.8, 128}, row{0.04, 0, 50, 1.8, 1.75, 64}, row{0.04, 0, 1, 1.8, 1.75, 64},
                          row{0, 0.3, 50, 1.0, 1.0, 64}}) {
         manufactured::errors last{0, 0, 0};
         for (int n = r.finest / 4; n <= r.finest; n *= 2) {

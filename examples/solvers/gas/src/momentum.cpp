@@ -129,7 +129,13 @@ void flow::add_convection_and_diffusion(const flow_state& state, const flow_medi
             force -= state.mass_flux[f] * inverse_void_[p] * (boundary_velocity_[b] - state.velocity[p]);
         if (fixed) {
             const vector3 d = m.face_centre[f] - m.centre[p];
-            force += boundary.wall_viscosity[b] * across(&slope[3 * p], m.area[f] - m.conductance[f] * d);
+            const vector3 along = across(&slope[3 * p], d);
+            vector3 bend = across(&slope[3 * p], m.area[f]) - m.conductance[f] * along;
+            // The difference over half a cell is that in its middle; the slope, mean of the differences to both sides, tells
+            // how it changes up to the wall: two thirds on even cells.  A wall function has its own profile.
+            if (boundary.wall_viscosity[b] == medium.viscosity[p])
+                bend += (2.0 / 3.0 * m.conductance[f]) * (boundary_velocity_[b] - state.velocity[p] - along);
+            force += boundary.wall_viscosity[b] * bend;
         }
         source_[p] += inverse_void_[p] * force;
     }
