@@ -51,10 +51,11 @@ using id_pair = std::pair<std::int64_t, std::int64_t>;
 
 std::set<id_pair> touching(const bed& b, bool by_list) {
     std::set<id_pair> found;
-    const auto name = [&](hearth::dem::index i, index j) { return std::minmax(b.ids()[i], b.ids()[j]); };
+    const auto name = [&](hearth::dem::index i, hearth::dem::index j) { return std::minmax(b.ids()[i], b.ids()[j]); };
     if (by_list) {
-        b.for_each_contact(
-            [&](hearth::dem::index i, index j, double, double, const vector3&) { found.insert(name(i, j)); });
+        b.for_each_contact([&](hearth::dem::index i, hearth::dem::index j, double, double, const vector3&) {
+            found.insert(name(i, j));
+        });
     } else {
         for (hearth::dem::index i = 0; i < b.size(); ++i)
             for (hearth::dem::index j = i + 1; j < b.size(); ++j)
@@ -186,7 +187,7 @@ TEST_CASE("removing particles leaves the springs of the others alone") {
     control.add_wall(w);
     control.insert(balls);
     control.advance(1000);
-    std::vector<index> out;
+    std::vector<hearth::dem::index> out;
     for (hearth::dem::index i = 0; i < b.size(); ++i)
         if (b.ids()[i] % 20 % 2 == 0) out.push_back(i);
     b.remove(out);

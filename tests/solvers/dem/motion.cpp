@@ -43,10 +43,12 @@ TEST_CASE("energy of a conservative system drifts by less than 1e-6 over a milli
         double sum = 0;
         for (hearth::dem::index i = 0; i < b.size(); ++i)
             sum += 0.5 * b.mass(i) * dot(b.motions()[i].velocity, b.motions()[i].velocity);
-        b.for_each_contact(
-            [&](index, index, double force, double overlap, const vector3&) { sum += 0.4 * force * overlap; });
-        b.for_each_wall_contact(
-            [&](index, int, double force, double overlap, const vector3&) { sum += 0.4 * force * overlap; });
+        b.for_each_contact([&](hearth::dem::index, hearth::dem::index, double force, double overlap, const vector3&) {
+            sum += 0.4 * force * overlap;
+        });
+        b.for_each_wall_contact([&](hearth::dem::index, int, double force, double overlap, const vector3&) {
+            sum += 0.4 * force * overlap;
+        });
         return sum;
     };
     // Averages over a while at the beginning and at the end: a symplectic step makes the energy swing, not drift.
@@ -80,7 +82,7 @@ TEST_CASE("two stacked balls between floor and ceiling come to rest under their 
     const double below = b.force_on_wall(0).z, above = b.force_on_wall(1).z;
     CHECK(-below - above == doctest::Approx(2 * weight).epsilon(1e-9));
     // Between them the upper ball's weight and the ceiling's push.
-    b.for_each_contact([&](index, index, double force, double, const vector3&) {
+    b.for_each_contact([&](hearth::dem::index, hearth::dem::index, double force, double, const vector3&) {
         CHECK(force == doctest::Approx(weight + above).epsilon(1e-9));
     });
     for (hearth::dem::index i = 0; i < 2; ++i) CHECK(norm(b.motions()[i].velocity) < 1e-12);
@@ -135,7 +137,7 @@ TEST_CASE("a driven ball keeps its velocity against gravity and contacts, and pu
     b.insert({ball({0, 0, 0}, {0, 0, 0.1}), ball({0, 0, 0.02}, {0, 0, 0.1})});
     b.set_driven(0, true);
     b.advance(2000);
-    const index driven = b.ids()[0] == 0 ? 0 : 1;
+    const hearth::dem::index driven = b.ids()[0] == 0 ? 0 : 1;
     CHECK(b.motions()[driven].velocity.z == 0.1);
     CHECK(b.motions()[1 - driven].velocity.z == doctest::Approx(0.1).epsilon(1e-3));
 }
