@@ -62,7 +62,7 @@ gas::solver_settings solver_settings_of(const settings& scene) {
     s.flow.resistance_floor = 5;
     s.energy_relaxation = 1;  // the bed holds temperatures
     s.scalars.relative = 1e-6;
-    s.flow.pressure.relative = 1e-6;  // what mass misses, enthalpy and species miss as well
+    s.flow.pressure.relative = 1e-8;  // what mass misses, enthalpy and species miss as well
     return s;
 }
 
