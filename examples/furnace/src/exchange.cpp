@@ -79,8 +79,9 @@ void furnace::parts::exchange_with_gas() {
         }
         {
             const stopwatch timing(seconds.gas);
-            // The flow follows the bed slowly: one iteration a coupling, but for the first, which comes from rest.
-            const int flows = pass > 0 ? 0 : couplings == 0 ? 20 : 1;
+            // The flow follows the bed in three iterations a coupling, but for the first, which comes from rest.  Drag is a
+            // Newton step from the last flow: where parcels have gone from a cell one step is not enough, and blows up.
+            const int flows = pass > 0 ? 0 : couplings == 0 ? 20 : 3;
             for (int inner = 0; inner < flows + (couplings == 0 ? 40 : 6); ++inner) {
                 shaft.react();
                 gas_report = inner < flows ? solver.iterate() : solver.iterate_scalars();
