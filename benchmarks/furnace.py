@@ -72,13 +72,18 @@ def main(furnace, scene, folder):
         values = [summary[key] * scale for key, _, scale in QUANTITIES]
         rows.append((knob, name, seconds, values))
         print(f"{knob:22} {name:14} {seconds:7.1f} s  " + "  ".join(f"{v:9.1f}" for v in values), flush=True)
+    if not rows or rows[-1][0] != "finest":
+        sys.exit("furnace.py: without the finest run there is nothing to compare with")
     finest = rows.pop()
     with open(folder / "work_precision.csv", "w", newline="") as file:
         table = csv.writer(file)
         table.writerow(["knob", "point", "processor_time_s"] + [key for key, _, _ in QUANTITIES])
         for knob, name, seconds, values in rows + [finest]:
             table.writerow([knob, name, f"{seconds:.2f}"] + [f"{v:.3f}" for v in values])
+    draw(rows, finest, folder / "work_precision.png")
 
+
+def draw(rows, finest, path):
     figure, axes = plt.subplots(1, len(QUANTITIES), figsize=(17, 4.2), sharex=True)
     markers = dict(zip(KNOBS, "os^Dv*P"))
     for at, (axis, (_, label, _)) in enumerate(zip(axes, QUANTITIES)):
@@ -87,14 +92,17 @@ def main(furnace, scene, folder):
         for knob, marker in markers.items():
             turns = [base] + [row for row in rows if row[0] == knob]
             turns.sort(key=lambda row: row[2])
-            axis.plot([row[2] for row in turns], [error(row) for row in turns], marker=marker, markersize=5, linewidth=0.8, label=knob)
+            axis.plot([row[2] for row in turns], [error(row) for row in turns], marker=marker, markersize=5, label=knob,
+                      linewidth=0 if knob in ("voidage", "chemistry") else 0.8)  # these are kinds, not degrees
         axis.plot(base[2], error(base), "k+", markersize=14, markeredgewidth=2, label="start")
         axis.set(xscale="log", yscale="log", xlabel="processor time, s", title=label)
+        axis.set_xticks([2, 5, 10, 20], ["2", "5", "10", "20"])
+        axis.set_xticks([], minor=True)
         axis.grid(True, which="both", alpha=0.25)
     axes[0].set_ylabel("difference to the finest run")
     axes[0].legend(fontsize=7)
     figure.tight_layout()
-    figure.savefig(folder / "work_precision.png", dpi=110)
+    figure.savefig(path, dpi=85)
 
 
 if __name__ == "__main__":
