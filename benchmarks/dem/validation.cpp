@@ -3,23 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
-#include <fstream>
-#include <functional>
-#include <iostream>
 #include <map>
+#include <ostream>
 #include <string>
 #include <vector>
 
 #include "solvers/dem/plates.hpp"
+#include "support/tables.hpp"
 
 namespace {
 
 using namespace hearth_test;
 namespace dem = hearth::dem;
 constexpr double pi = hearth::constants<double>::pi();
-
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Zehner, Bauer and Schluender, VDI Heat Atlas D6.3, of iron spheres in air at 1 atm: flattened contacts share 0.0077.
 double zehner_bauer_schluender(double kelvin, double emissivity, double void_fraction) {
@@ -28,8 +24,9 @@ double zehner_bauer_schluender(double kelvin, double emissivity, double void_fra
                      ((2 / emissivity - 1) * gas);
     const double b = 1.25 * std::pow((1 - void_fraction) / void_fraction, 10.0 / 9.0);
     const double n = 1 + (r - b) / solid;
-    const double core = 2 / n * (b * (solid + r - 1) / (n * n * solid) * std::log((solid + r) / b) +
-                                 (b + 1) / (2 * b) * (r - b) - (b - 1) / n);
+    const double core =
+        2 / n *
+        (b * (solid + r - 1) / (n * n * solid) * std::log((solid + r) / b) + (b + 1) / (2 * b) * (r - b) - (b - 1) / n);
     const double open = std::sqrt(1 - void_fraction);
     return gas * ((1 - open) * void_fraction * (1 / void_fraction + r) + open * (flat * solid + (1 - flat) * core));
 }
@@ -41,8 +38,8 @@ void fig_3(std::ostream& out) {
     for (double kelvin = 300; kelvin <= 1200; kelvin += 50) {
         const conductivity_parts p = conductivity_between_plates(made, kelvin, 0.95);
         out << kelvin << ' ' << p.contact << ' ' << p.film << ' ' << p.radiation << ' ' << p.core() << ' '
-            << p.between_plates << ' ' << iron::yagi_kunii(kelvin, 0.9, 0.9) << ' ' << iron::yagi_kunii(kelvin, 1, 1) << ' '
-            << zehner_bauer_schluender(kelvin, 0.95, 0.40) << '\n';
+            << p.between_plates << ' ' << iron::yagi_kunii(kelvin, 0.9, 0.9) << ' ' << iron::yagi_kunii(kelvin, 1, 1)
+            << ' ' << zehner_bauer_schluender(kelvin, 0.95, 0.40) << '\n';
     }
 }
 
@@ -58,19 +55,20 @@ void exchange(std::ostream& out) {
     }
 }
 
-/// Parcels of k beside grains.  In a bed of the same number of diameters, k times as large, under the same stress: parts of
-/// the conductivity, and times of mixing over k^2.
+/// Parcels of k beside grains.  In a bed of the same number of diameters, k times as large, under the same stress:
+/// parts of the conductivity, and times of mixing over k^2.
 void parcels_alike(std::ostream& out) {
     out << "k number solid contact film radiation time_10_s time_20_s discharge_error seconds\n";
     for (const int k : {1, 2, 3, 4}) {
-        const double began = cpu_seconds();
+        const double began = bench::cpu_seconds();
         plate_bed made(k, 9 * k * iron::diameter, 30 * k * iron::diameter, 0.3, 9.81 / k);
         const conductivity_parts p = conductivity_between_plates(made, 800, 1.0);
         const std::vector<double> times = mixing_times(made, 300, 1000, 20 * k * k);
         const dem::index number = made.spheres.size();
         const double worst = largest_arrears(made, 2 * k);
         out << k << ' ' << number << ' ' << made.solid << ' ' << p.contact << ' ' << p.film << ' ' << p.radiation << ' '
-            << times[0] / (k * k) << ' ' << times[1] / (k * k) << ' ' << worst << ' ' << cpu_seconds() - began << '\n'
+            << times[0] / (k * k) << ' ' << times[1] / (k * k) << ' ' << worst << ' ' << bench::cpu_seconds() - began
+            << '\n'
             << std::flush;
     }
 }
@@ -80,7 +78,7 @@ void parcels(std::ostream& out) {
     const double radius = 12 * iron::diameter, column = 44 * iron::diameter;
     out << "k number mass height solid floor_stress time_5_s time_10_s discharge_error seconds\n";
     for (const int k : {1, 2, 3, 4}) {
-        const double began = cpu_seconds();
+        const double began = bench::cpu_seconds();
         plate_bed made(k, radius, column, plate_bed::settings(k, 0.3, 9.81), 34.0);
         const std::vector<double> times = heating_times(made, 300, 1000, 20);
         const dem::index number = made.spheres.size();
@@ -88,8 +86,8 @@ void parcels(std::ostream& out) {
         const double stress = -made.spheres.force_on_wall(0).z / (pi * radius * radius);
         const double worst = largest_arrears(made, 2);
         out << k << ' ' << number << ' ' << mass << ' ' << made.height << ' '
-            << mass / (iron::density * pi * radius * radius * made.height) << ' ' << stress << ' '
-            << times[0] << ' ' << times[1] << ' ' << worst << ' ' << cpu_seconds() - began << '\n'
+            << mass / (iron::density * pi * radius * radius * made.height) << ' ' << stress << ' ' << times[0] << ' '
+            << times[1] << ' ' << worst << ' ' << bench::cpu_seconds() - began << '\n'
             << std::flush;
     }
 }
@@ -112,9 +110,9 @@ void sweeps(std::ostream& out) {
         s.skin = r.skin;
         s.body.youngs_modulus = r.modulus;
         s.deepest_overlap = 0.8;
-        const double began = cpu_seconds();
+        const double began = bench::cpu_seconds();
         plate_bed made(1, 6 * iron::diameter, 24 * iron::diameter, s);
-        const double seconds = cpu_seconds() - began;
+        const double seconds = bench::cpu_seconds() - began;
         double deepest = 0, top = 0;
         made.spheres.for_each_contact([&](dem::index, dem::index, double, double overlap, const dem::vector3&) {
             deepest = std::fmax(deepest, overlap);
@@ -122,23 +120,24 @@ void sweeps(std::ostream& out) {
         for (dem::index i = 0; i < made.spheres.size(); ++i) top = std::fmax(top, made.spheres.spheres()[i].centre.z);
         const double area = pi * std::pow(6 * iron::diameter, 2);
         const double value = r.what[1] == 't' ? r.step : r.what[1] == 'k' ? r.skin : r.modulus;
-        out << r.what << ' ' << value << ' ' << seconds << ' ' << dem::surface_level(made.spheres, {{0, 0, 0}, 6 * iron::diameter, 1})
-            << ' ' << made.solid << ' ' << -made.spheres.force_on_wall(0).z / area << ' '
-            << conductivity_between_plates(made, 800, 1.0).core() << ' ' << deepest / iron::diameter << '\n'
+        out << r.what << ' ' << value << ' ' << seconds << ' '
+            << dem::surface_level(made.spheres, {{0, 0, 0}, 6 * iron::diameter, 1}) << ' ' << made.solid << ' '
+            << -made.spheres.force_on_wall(0).z / area << ' ' << conductivity_between_plates(made, 800, 1.0).core()
+            << ' ' << deepest / iron::diameter << '\n'
             << std::flush;
     }
 }
 
-/// Discharge through holes in flat floors of a wide bin; Beverloo's law asks for bins wider than 2.5 holes and holes wider
-/// than 6 diameters.
+/// Discharge through holes in flat floors of a wide bin; Beverloo's law asks for bins wider than 2.5 holes and holes
+/// wider than 6 diameters.
 void beverloo(std::ostream& out) {
     constexpr double d = 0.018;
     out << "bin_over_d hole_over_d friction flow law\n";
     struct run {
         double bin, hole, friction;
     };
-    for (const run& r : {run{14, 6, 0.5}, run{14, 8, 0.5}, run{24, 6, 0.5}, run{24, 8, 0.5}, run{14, 8, 0.3},
-                         run{14, 8, 0.1}}) {
+    for (const run& r :
+         {run{14, 6, 0.5}, run{14, 8, 0.5}, run{24, 6, 0.5}, run{24, 8, 0.5}, run{14, 8, 0.3}, run{14, 8, 0.1}}) {
         const dem::bed_settings s = soft_settings(r.friction, 0.3);
         const double radius = r.bin * d / 2;
         bed b(s);
@@ -162,7 +161,8 @@ void beverloo(std::ostream& out) {
             if (began > 0 && dem::surface_level(b, {{0, 0, 0}, radius, 1}) < 9 * d) break;
         }
         const double law = 0.58 * bulk * std::sqrt(9.81) * std::pow((r.hole - 1.4 * 0.975) * d, 2.5);
-        out << r.bin << ' ' << r.hole << ' ' << r.friction << ' ' << (left - since) / (b.time() - began) << ' ' << law << '\n'
+        out << r.bin << ' ' << r.hole << ' ' << r.friction << ' ' << (left - since) / (b.time() - began) << ' ' << law
+            << '\n'
             << std::flush;
     }
 }
@@ -170,21 +170,11 @@ void beverloo(std::ostream& out) {
 }  // namespace
 
 int main(int count, char** words) {
-    const std::vector<std::pair<std::string, std::function<void(std::ostream&)>>> tables{
-        {"fig_3", fig_3}, {"exchange", exchange}, {"parcels_alike", parcels_alike}, {"parcels", parcels}, {"sweeps", sweeps}, {"beverloo", beverloo}};
-    if (count < 2) {
-        std::cerr << "use: " << words[0] << " FOLDER [TABLE ...]\n";
-        return 2;
-    }
-    const std::vector<std::string> wanted(words + 2, words + count);
-    for (const auto& [name, make] : tables) {
-        if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
-        std::ofstream file(std::string(words[1]) + "/" + name + ".txt");
-        file.precision(6);
-        make(file);
-        if (!file) {
-            std::cerr << "cannot write " << name << ".txt into " << words[1] << '\n';
-            return 1;
-        }
-    }
+    return bench::write_tables(count, words,
+                               {{"fig_3", fig_3},
+                                {"exchange", exchange},
+                                {"parcels_alike", parcels_alike},
+                                {"parcels", parcels},
+                                {"sweeps", sweeps},
+                                {"beverloo", beverloo}});
 }
