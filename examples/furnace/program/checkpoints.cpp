@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* format_name = "hearth furnace checkpoint 2";
+constexpr const char* format_name = "hearth furnace checkpoint 3";
 
 /// The number in checkpoint_NUMBER.h5; -1 for other files.
 long number_of(const fs::path& file) {

@@ -39,6 +39,7 @@ constexpr double hot = 2130;  // product is dead burnt above [K]
 furnace::parts::parts(const settings& given, ranks given_ranks)
     : among(std::move(given_ranks)),
       scene((check(given), given)),
+      measured(scene),
       profile(solve_shaft_profile(scene)),
       coarse_graining(scene.bed.coarse_graining),
       shaft(scene, scene.bed.coarse_graining * sauter_diameter(scene), among),
@@ -47,7 +48,8 @@ furnace::parts::parts(const settings& given, ranks given_ranks)
       clock((scene.time.acceleration_factor.value = acceleration_of(scene, profile))),
       gas_terms(gas_convection(closure::gunn{})),
       stone_terms(make_radiation(scene), make_conduction(scene)),
-      network(network_params()) {
+      network(network_params()),
+      leap(scene) {
     if (!profile.converged) throw bad_scene("the one-dimensional solution of this scene did not converge");
     if (packed_by_dem()) fill.emplace(scene, among);
     else use_bed(lattice_bed(scene));
@@ -81,7 +83,6 @@ void furnace::parts::fill_step() {
 /// What compares with the bed, and what the bed's radiation is fitted to, has the void fraction that DEM made.
 void furnace::parts::fit_to_packing() {
     constexpr double pi = 3.14159265358979323846;
-    settings measured = scene;
     measured.bed.void_fraction = 1 - bed_mass / scene.particles.density / (pi / 4 * scene.shaft.diameter * scene.shaft.diameter * scene.shaft.height);
     profile = solve_shaft_profile(measured);
     stone_terms = hearth::scene(make_radiation(measured), make_conduction(measured));
@@ -163,7 +164,26 @@ void furnace::parts::couple() {
     past.offgas.push_back(shaft.solver.mean_temperature(shaft.outlet()));
     past.gas_missing.push_back(gas_report.mass.in + gas_report.mass.source - gas_report.mass.out);
     past.solid_missing.push_back((fed_mass - passed_mass - (bed->total_mass() - mass_before)) / process_step);
+    leap.watch(cloud(), process_step);
     judge();
+    if (now != phase::report && leap.due(couplings, window())) lead_to_steady();
+}
+
+/// Between two couplings: neither books nor balances see it.
+void furnace::parts::lead_to_steady() {
+    measured.burners.mass_flow = shaft.burner_flow();
+    const std::vector<double> shift = leap.shift(measured);
+    if (shift.empty()) return;
+    ++leaps;
+    const double height = scene.shaft.height;
+    const auto warm = [&](double& temperature, double z) {
+        temperature = std::clamp(temperature + at_height(shift, z, height), 200.0, 3400.0);
+    };
+    for (std::size_t i = 0; i < fields.temperature.size(); ++i) {
+        const double z = bed->spheres()[i].centre.z;
+        if (z < height) warm(fields.temperature[i], z);
+    }
+    for (std::size_t r = 0; r < rings.size(); ++r) warm(rings.temperature()[r], rings.middle(r));
 }
 
 }  // namespace hearth::furnace

@@ -19,7 +19,7 @@ void furnace::parts::each_part(Part&& part) {
         return [&part, folder](const char* name, auto& value) { part(std::string(folder) + "/" + name, value); };
     };
     part("couplings", couplings);
-    part("extra", extra);
+    part("leaps", leaps);
     part("process_time", process_time);
     part("bed_mass", bed_mass);
     part("coarse_graining", coarse_graining);
@@ -53,6 +53,7 @@ void furnace::parts::each_part(Part&& part) {
     gas_part("heat_conductance", shaft.solver.bed.heat_conductance);
     gas_part("heat_source", shaft.solver.bed.heat_source);
     shaft.solver.each_memory(gas_part);
+    leap.each(under("leap"));
     seconds.each(under("seconds"));
 }
 

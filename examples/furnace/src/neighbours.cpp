@@ -105,6 +105,33 @@ void furnace::parts::exchange_with_neighbours() {
     rings.temperature() = among.gather(std::vector<double>(of_rings, temperature.end()));
     temperature.resize(own);
     fields.temperature = share.gather(temperature);
+    tell_mechanisms();
+}
+
+/// What each parcel gets by radiation, by conduction and from the wall, as temperatures are after the step.
+void furnace::parts::tell_mechanisms() {
+    const std::vector<double>& t = fields.temperature;
+    std::vector<double> radiated(t.size()), conducted(t.size()), walled(t.size());
+    std::size_t k = 0;
+    for (const link_part& part : links.parts) {
+        std::vector<double>& heat = part.term == 0 ? radiated : conducted;
+        for (; k < part.pairs; ++k) {
+            const auto& pair = links.pairs[k];
+            const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
+            const double to_first = pair.link.secant(t[i], t[j]) * (t[j] - t[i]);
+            heat[i] += to_first;
+            heat[j] -= to_first;
+        }
+    }
+    for (const auto& wall : links.walls) {
+        const auto i = static_cast<std::size_t>(wall.particle);
+        const double ring = rings.temperature()[static_cast<std::size_t>(wall.patch)];
+        walled[i] += wall.link.secant(t[i], ring) * (ring - t[i]);
+    }
+    const auto of_all = [&](const std::vector<double>& heat) { return share.gather(share.pick(heat)); };
+    fields.radiated = of_all(radiated);
+    fields.conducted = of_all(conducted);
+    fields.from_wall = of_all(walled);
 }
 
 }  // namespace hearth::furnace

@@ -23,6 +23,7 @@
 #include "gas_at_particles.hpp"
 #include "packing.hpp"
 #include "shaft_gas.hpp"
+#include "steadying.hpp"
 #include "stones.hpp"
 
 namespace hearth::furnace {
@@ -101,6 +102,7 @@ struct furnace::parts {
     void couple();
     double step_length() const;  ///< of the next coupling, by the process's clock [s]
     void judge();
+    void lead_to_steady();
 
     void use_bed(std::unique_ptr<dem::moving_bed> made);
     bool packed_by_dem() const { return scene.bed.packing == bed_packing::dem; }
@@ -108,6 +110,7 @@ struct furnace::parts {
     void move(double process_time);
     void exchange_with_gas();
     void exchange_with_neighbours();
+    void tell_mechanisms();
     void place_bed();
     double top() const { return scene.shaft.height + scene.shaft.hopper_height; }  ///< of the mesh [m]
     parcels cloud() const { return {*bed, fields, top()}; }
@@ -127,6 +130,7 @@ struct furnace::parts {
 
     ranks among;
     settings scene;
+    settings measured;  ///< the scene with the void fraction that the bed has
     shaft_profile profile;
     phase now = phase::fill;
     double coarse_graining;
@@ -145,11 +149,12 @@ struct furnace::parts {
     link_list<thermal_link<double>> links;
     gas::report gas_report;
     history past;
+    steadying leap;
 
     double bed_mass = 0, residence_time = 0, process_step = 0, process_time = 0;
     double wall_loss = 0, stranded = 0;
     double clamped = 0;
-    int couplings = 0, extra = 0;
+    int couplings = 0, leaps = 0;
     bool converged = false;
     std::vector<double> product_hottest, product_hot_seconds;  // of watched parcels that left
     double fed_mass = 0, passed_mass = 0, passed_enthalpy = 0, passed_over_feed = 0;  // of this coupling

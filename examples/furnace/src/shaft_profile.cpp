@@ -109,6 +109,17 @@ class shaft {
         return x;
     }
 
+    /// Unknowns with particles as given and the gas that passes them.
+    Eigen::VectorXd beside(const std::vector<double>& particles) const {
+        Eigen::VectorXd x(static_cast<Eigen::Index>(2 * cells_));
+        for (std::size_t k = 0; k < cells_; ++k) {
+            const auto g = static_cast<Eigen::Index>(2 * k);
+            x[g + 1] = particles[k];
+            x[g] = gas_[k].heat.temperature(pass(k, k == 0 ? 0 : x[g - 2], particles[k]).leaves, particles[k]);
+        }
+        return x;
+    }
+
     /// Heat balances of gas and particles in each cell [W], and what a profile reports of them.
     Eigen::VectorXd balances(const Eigen::VectorXd& x, shaft_profile* report = nullptr) const {
         Eigen::VectorXd residual(x.size());
@@ -116,15 +127,8 @@ class shaft {
         double loss = 0;
         for (std::size_t k = 0; k < cells_; ++k) {
             const auto g = static_cast<Eigen::Index>(2 * k), s = g + 1;
-            const gas_flow& gas = gas_[k];
-            const double entering = (k == 0 ? gas_below_.heat.enthalpy(scene_.air.temperature) : gas_[k - 1].heat.enthalpy(x[g - 2])) + fed_[k];
-            const double mixed = gas.heat.temperature(entering, k == 0 ? 300.0 : x[g - 2]);
-            const double film = std::clamp(0.5 * (mixed + x[s]), 200.0, 3500.0);
-            const double h = transfer_coefficient(gas, film, x[s]);
-            // The gas passes the particles of the cell and nears their temperature by transfer units.
-            const double capacity = gas.heat.heat_capacity(film);
-            const double heat = capacity > 0 ? capacity * -std::expm1(-h * surface_ / capacity) * (mixed - x[s]) : 0;
-            residual[g] = entering - heat - gas.heat.enthalpy(x[g]);
+            const auto [heat, leaves, h] = pass(k, k == 0 ? 0 : x[g - 2], x[s]);
+            residual[g] = leaves - gas_[k].heat.enthalpy(x[g]);
             const double above = k + 1 < cells_ ? x[s + 2] : scene_.particles.feed_temperature;
             double sum = flow * (spinel::enthalpy(above) - spinel::enthalpy(x[s])) + heat - losses_[k] * (x[s] - ambients_[k]);
             if (k > 0) sum -= radiation(x[s - 2], x[s]);
@@ -185,6 +189,23 @@ class shaft {
     }
 
   private:
+    struct passage {
+        double heat;         // to the particles [W]
+        double leaves;       // enthalpy of the gas [W]
+        double coefficient;  // of heat transfer [W/(m^2 K)]
+    };
+    /// Gas of the cell below, and what is fed, pass the particles of a cell and near their temperature by transfer units.
+    passage pass(std::size_t k, double gas_below, double particles) const {
+        const gas_flow& gas = gas_[k];
+        const double entering = (k == 0 ? gas_below_.heat.enthalpy(scene_.air.temperature) : gas_[k - 1].heat.enthalpy(gas_below)) + fed_[k];
+        const double mixed = gas.heat.temperature(entering, k == 0 ? 300.0 : gas_below);
+        const double film = std::clamp(0.5 * (mixed + particles), 200.0, 3500.0);
+        const double h = transfer_coefficient(gas, film, particles);
+        const double capacity = gas.heat.heat_capacity(film);
+        const double heat = capacity > 0 ? capacity * -std::expm1(-h * surface_ / capacity) * (mixed - particles) : 0;
+        return {heat, entering - heat, h};
+    }
+
     void set_gas() {
         const double air = scene_.air.volume_flow * 101325 / (chem::gas_constant * 273.15);  // [mol/s]
         gas_below_ = gas_flow(air_moles(air));
@@ -259,31 +280,56 @@ Eigen::SparseMatrix<double> jacobian(const shaft& model, const Eigen::VectorXd& 
     return matrix;
 }
 
+struct newton {
+    Eigen::VectorXd x;
+    int iterations = 0;
+    bool converged = false;
+};
+
+/// Temperatures whose balances are closed by what is added to them [W].
+newton solve(const shaft& model, Eigen::VectorXd start, const Eigen::VectorXd& added) {
+    newton n{std::move(start)};
+    Eigen::SparseLU<Eigen::SparseMatrix<double>> solver;
+    while (!n.converged && n.iterations < 200) {
+        ++n.iterations;
+        const Eigen::VectorXd rest = model.balances(n.x);
+        solver.compute(jacobian(model, n.x, rest));
+        if (solver.info() != Eigen::Success) break;
+        const Eigen::VectorXd step = solver.solve(-rest - added);
+        const double largest = step.lpNorm<Eigen::Infinity>();
+        if (!std::isfinite(largest)) break;
+        // The slow mode of a counter-current shaft overshoots, so no temperature moves far at once.
+        n.x = (n.x + step.cwiseMax(-150).cwiseMin(150)).cwiseMax(200).cwiseMin(3400);
+        n.converged = largest < 1e-6;
+    }
+    return n;
+}
+
 }  // namespace
 
 shaft_profile solve_shaft_profile(const settings& scene, int cells) {
     shaft model(scene, cells);
-    Eigen::VectorXd x = model.start();
-    int iterations = 0;
-    bool converged = false;
-    Eigen::SparseLU<Eigen::SparseMatrix<double>> solver;
-    while (!converged && iterations < 200) {
-        ++iterations;
-        const Eigen::VectorXd rest = model.balances(x);
-        solver.compute(jacobian(model, x, rest));
-        if (solver.info() != Eigen::Success) break;
-        const Eigen::VectorXd step = solver.solve(-rest);
-        const double largest = step.lpNorm<Eigen::Infinity>();
-        if (!std::isfinite(largest)) break;
-        // The slow mode of a counter-current shaft overshoots, so no temperature moves far at once.
-        x = (x + step.cwiseMax(-150).cwiseMin(150)).cwiseMax(200).cwiseMin(3400);
-        converged = largest < 1e-6;
-    }
-    model.find_pressure(x);
-    shaft_profile profile = model.report(x);
-    profile.iterations = iterations;
-    profile.converged = converged;
+    const newton found = solve(model, model.start(), Eigen::VectorXd::Zero(2 * cells));
+    model.find_pressure(found.x);
+    shaft_profile profile = model.report(found.x);
+    profile.iterations = found.iterations;
+    profile.converged = found.converged;
     return profile;
+}
+
+std::vector<double> shift_to_steady(const settings& scene, const std::vector<double>& particle_temperature,
+                                    const std::vector<double>& storage) {
+    const auto cells = static_cast<int>(particle_temperature.size());
+    const shaft model(scene, cells);
+    const Eigen::VectorXd x = model.beside(particle_temperature);
+    // What the shaft stores and the model does not know of is added to the model.
+    const Eigen::VectorXd here = model.balances(x);
+    Eigen::VectorXd added = Eigen::VectorXd::Zero(2 * cells);
+    for (int k = 0; k < cells; ++k) added[2 * k + 1] = storage[static_cast<std::size_t>(k)] * scene.shaft.height / cells - here[2 * k + 1];
+    const newton steady = solve(model, x, added);
+    std::vector<double> shift;
+    for (int k = 0; k < cells && steady.converged; ++k) shift.push_back(steady.x[2 * k + 1] - x[2 * k + 1]);
+    return shift;
 }
 
 }  // namespace hearth::furnace

@@ -24,6 +24,9 @@ struct stone_fields {
     std::vector<double> watched;       ///< 1 where the last two hold since the feed or since above the burners, else 0
     std::vector<double> conductance;   ///< to the gas, of all stones of the parcel, in the last coupling [W/K]
     std::vector<double> convected;     ///< what the parcel got from the gas in the last coupling [W]
+    std::vector<double> radiated;      ///< from its neighbours by radiation [W]
+    std::vector<double> conducted;     ///< from its neighbours by conduction [W]
+    std::vector<double> from_wall;     ///< from the wall by radiation [W]
 
     template <class Part>
     void each(Part&& part) {
@@ -33,19 +36,21 @@ struct stone_fields {
         part("watched", watched);
         part("conductance", conductance);
         part("convected", convected);
+        part("radiated", radiated);
+        part("conducted", conducted);
+        part("from_wall", from_wall);
     }
     void start(std::size_t count, double feed_temperature) {
         temperature.assign(count, feed_temperature);
         hottest.assign(count, feed_temperature);
-        for (auto* field : {&hot_seconds, &watched, &conductance, &convected}) field->assign(count, 0.0);
+        for (auto* field : {&hot_seconds, &watched, &conductance, &convected, &radiated, &conducted, &from_wall}) field->assign(count, 0.0);
     }
     void carry(const dem::passage& passed, double feed_temperature) {
         passed.carry(temperature, feed_temperature);
         passed.carry(hottest, feed_temperature);
         passed.carry(hot_seconds, 0.0);
         passed.carry(watched, 1.0);
-        passed.carry(conductance, 0.0);
-        passed.carry(convected, 0.0);
+        for (auto* field : {&conductance, &convected, &radiated, &conducted, &from_wall}) passed.carry(*field, 0.0);
     }
 };
 

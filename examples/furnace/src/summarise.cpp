@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "parts.hpp"
 
@@ -142,6 +143,15 @@ axial_profile furnace::axial(int slices) const {
                         &profile.gas_temperature, &profile.pressure, &profile.void_fraction, &profile.convection}) {
         field->assign(n, 0.0);
     }
+    if (p.scene.physics.radiation) {
+        profile.radiation.assign(n, 0.0);
+        profile.wall.assign(n, 0.0);
+    }
+    if (p.scene.physics.conduction) profile.conduction.assign(n, 0.0);
+    const std::pair<std::vector<double>*, const std::vector<double>*> mechanisms[] = {{&profile.convection, &p.fields.convected},
+                                                                                      {&profile.radiation, &p.fields.radiated},
+                                                                                      {&profile.conduction, &p.fields.conducted},
+                                                                                      {&profile.wall, &p.fields.from_wall}};
     std::vector<double> all(n), centre(n), wall(n);
     for (std::size_t i = 0; i < p.fields.temperature.size(); ++i) {
         const dem::vector3& x = p.bed->spheres()[i].centre;
@@ -155,7 +165,9 @@ axial_profile furnace::axial(int slices) const {
         add(profile.particle_temperature, all);
         if (r < radius / 3) add(profile.particle_temperature_centre, centre);
         if (r > 0.85 * radius) add(profile.particle_temperature_wall, wall);
-        profile.convection[k] += p.fields.convected[i] / dz;
+        for (const auto& [heat, of_parcels] : mechanisms) {
+            if (!heat->empty()) (*heat)[k] += (*of_parcels)[i] / dz;
+        }
     }
     mean(profile.particle_temperature, all);
     mean(profile.particle_temperature_centre, centre);
@@ -177,33 +189,6 @@ axial_profile furnace::axial(int slices) const {
     mean(profile.void_fraction, volume);
     mean(profile.pressure, volume);
     mean(profile.gas_temperature, flow);
-    // Heat between neighbours, as the links have it now, and to the wall.
-    for (const link_part& part : p.links.parts) {
-        auto& heat = part.term == 0 ? profile.radiation : profile.conduction;
-        if (part.term == 0 ? p.scene.physics.radiation : p.scene.physics.conduction) heat.assign(n, 0.0);
-    }
-    std::size_t k = 0;
-    for (const link_part& part : p.links.parts) {
-        auto& heat = part.term == 0 ? profile.radiation : profile.conduction;
-        for (; k < part.pairs; ++k) {
-            const auto& pair = p.links.pairs[k];
-            const auto i = static_cast<std::size_t>(pair.first), j = static_cast<std::size_t>(pair.second);
-            const double zi = p.bed->spheres()[i].centre.z, zj = p.bed->spheres()[j].centre.z, ti = p.fields.temperature[i], tj = p.fields.temperature[j];
-            if (heat.empty() || !p.share.is_mine(pair.first)) continue;  // where two ranks meet, both list the pair
-            const double to_first = pair.link.secant(ti, tj) * (tj - ti) / dz;
-            if (zi < height) heat[slice(zi)] += to_first;
-            if (zj < height) heat[slice(zj)] -= to_first;
-        }
-    }
-    if (p.scene.physics.radiation) profile.wall.assign(n, 0.0);
-    for (const auto& link : p.links.walls) {
-        if (profile.wall.empty()) break;
-        const auto i = static_cast<std::size_t>(link.particle);
-        if (!p.share.is_mine(link.particle)) continue;
-        const double z = p.bed->spheres()[i].centre.z, t = p.fields.temperature[i], wall_t = p.rings.temperature()[static_cast<std::size_t>(link.patch)];
-        if (z < height) profile.wall[slice(z)] += link.link.secant(t, wall_t) * (wall_t - t) / dz;
-    }
-    for (auto* heat : {&profile.radiation, &profile.conduction, &profile.wall}) of_all(*heat);
     return profile;
 }
 

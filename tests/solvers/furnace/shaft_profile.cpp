@@ -109,3 +109,28 @@ TEST_CASE("shaft profile: its answers to single inputs are those of the physics"
     CHECK((of("flow of solids").more.solids_outlet_temperature > base.solids_outlet_temperature));
     CHECK((of("flow of solids").more.offgas_temperature < base.offgas_temperature));
 }
+
+TEST_CASE("shaft profile: the shift to steady leads to the steady state, from anywhere, and from there nowhere") {
+    const settings scene;
+    constexpr int cells = 400;
+    const shaft_profile steady = solve_shaft_profile(scene, cells);
+    REQUIRE(steady.converged);
+    // Newton's last step of both is below 1e-6 K; the slow mode makes it a thousand times as much where balances miss round-off.
+    for (const double kelvin : shift_to_steady(scene, steady.particle_temperature, std::vector<double>(cells, 0.0))) CHECK(std::abs(kelvin) < 1e-5);
+    // Walls that lose more: the old temperatures store what those walls take, less than nothing.  The model of the old walls knows
+    // nothing of that, so it only leads near the new steady state, and the nearer the less there is to do.
+    settings other = scene;
+    other.shaft.zones[0].transmittance = 3.3;
+    const shaft_profile wanted = solve_shaft_profile(other, cells);
+    std::vector<double> taken;
+    for (const double t : steady.particle_temperature) taken.push_back(-0.3 * 3.14159265358979 * scene.shaft.diameter * (t - 320));
+    const std::vector<double> known = shift_to_steady(other, steady.particle_temperature, taken), unknown = shift_to_steady(scene, steady.particle_temperature, taken);
+    REQUIRE(known.size() == cells);
+    REQUIRE(unknown.size() == cells);
+    double most = 0;
+    for (std::size_t k = 0; k < cells; ++k) most = std::max(most, std::abs(wanted.particle_temperature[k] - steady.particle_temperature[k]));
+    for (std::size_t k = 0; k < cells; ++k) {
+        CHECK(steady.particle_temperature[k] + known[k] == doctest::Approx(wanted.particle_temperature[k]).epsilon(1e-8));
+        CHECK(std::abs(steady.particle_temperature[k] + unknown[k] - wanted.particle_temperature[k]) < 0.2 * most);
+    }
+}

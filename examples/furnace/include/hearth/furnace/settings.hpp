@@ -130,6 +130,7 @@ struct settings {
         int couplings = 360;
         double residence_times = 6;
         double first_step_factor = 1;      ///< steps of the first half of the couplings over those of the second
+        int steadying_interval = 0;        ///< couplings between two leaps towards the steady state; 0: none
         start_from start = start_from::one_dimensional;
         double balance_tolerance = 0.01;   ///< enthalpy imbalance over fuel power at which a run is converged
     } time;

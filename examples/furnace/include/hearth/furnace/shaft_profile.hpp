@@ -34,4 +34,12 @@ struct shaft_profile {
 /// Throws bad_scene for a scene that it cannot describe: fuel left over above the burners.
 shaft_profile solve_shaft_profile(const settings& scene, int cells = 2000);
 
+/// How far the particles of a shaft are from steady ones [K], one value for each cell over the height, as many as are given.
+/// The shaft is any that the model resembles: a finer one, say, whose particles have these temperatures [K] and still store
+/// heat [W/m].  What it stores beyond what the model says of the same temperatures is kept as a source, so where nothing is
+/// stored the shift is none (a full approximation scheme with the model as its coarse level).  Empty where the model finds no
+/// steady state.
+std::vector<double> shift_to_steady(const settings& scene, const std::vector<double>& particle_temperature,
+                                    const std::vector<double>& storage);
+
 }  // namespace hearth::furnace
