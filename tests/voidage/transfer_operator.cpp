@@ -206,6 +206,36 @@ TEST_CASE("transfer operator: a particle moved changes only its own shares, and 
     CHECK(transfer.footprint(7) == before);
 }
 
+TEST_CASE("transfer operator: two kernels share footprints and give the bits that each gives alone") {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        CAPTURE(seed);
+        scene s(seed);
+        const hearth::cell_graph graph(s.mesh);
+        const hearth::cell_locator locator(s.mesh, graph);
+        auto narrow = s.settings;
+        narrow.width = 0.1;
+        hearth::transfer_operator<box_mesh> wide(locator, s.settings), thin(locator, narrow), alone(locator, s.settings);
+        std::vector<double> fraction(s.cells()), other(s.cells()), wanted(s.cells()), sources = s.numbers(s.particles());
+        CHECK_THROWS_AS(wide.distribute_like(thin, fraction), std::logic_error);  // it has no map
+        thin.distribute(s.bed, other);
+        const auto shared = wide.distribute_like(thin, fraction), own = alone.distribute(s.bed, wanted);
+        CHECK(fraction == wanted);
+        CHECK(shared.particles == own.particles);
+        CHECK(shared.width == own.width);
+        CHECK(shared.cap.touched_cells == own.cap.touched_cells);
+        // It outlives the one that it is like.
+        s.bed.positions[0] = {2, 2, 2};
+        thin.distribute(s.bed, other);
+        std::vector<double> given(s.cells()), given_alone(s.cells());
+        wide.scatter(sources, given);
+        alone.scatter(sources, given_alone);
+        CHECK(given == given_alone);
+        const hearth::cell_locator elsewhere(s.mesh, graph);
+        hearth::transfer_operator<box_mesh> stranger(elsewhere, s.settings);
+        CHECK_THROWS_AS(stranger.distribute_like(thin, other), std::logic_error);
+    }
+}
+
 TEST_CASE("transfer operator: without a kernel it is the Volume Fraction Smoother of the centre deposit, with vectors") {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         CAPTURE(seed);

@@ -162,6 +162,11 @@ void furnace::parts::couple() {
     past.wall.push_back(wall_loss);
     past.stored.push_back((bed_enthalpy() - enthalpy_before) / process_step);
     past.offgas.push_back(shaft.solver.mean_temperature(shaft.outlet()));
+    const std::size_t hottest = hottest_stone();
+    past.peak.push_back(fields.temperature[hottest]);
+    past.peak_height.push_back(bed->spheres()[hottest].centre.z);
+    past.centre.push_back(mean_temperature(past.peak_height.back(), 0, 0.2));
+    past.pressure_drop.push_back(pressure_drop());
     past.gas_missing.push_back(gas_report.mass.in + gas_report.mass.source - gas_report.mass.out);
     past.solid_missing.push_back((fed_mass - passed_mass - (bed->total_mass() - mass_before)) / process_step);
     leap.watch(cloud(), process_step);

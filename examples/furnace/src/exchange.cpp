@@ -13,12 +13,9 @@ void furnace::parts::place_bed() {
     const stopwatch timing(seconds.voidage);
     std::vector<double> solid(static_cast<std::size_t>(shaft.grid().cells()));
     const own_parcels own{*bed, share.mine(), top()};
-    const auto distribute = [&](auto& map) {
-        if (scene.voidage.method == voidage_method::vfs) return map.distribute(own, solid, deposit::centre{});
-        return map.distribute(own, solid);
-    };
-    distribute(shaft.transfer);
-    const filtered_fraction_report report = distribute(shaft.fill);
+    if (scene.voidage.method == voidage_method::vfs) shaft.transfer.distribute(own, solid, deposit::centre{});
+    else shaft.transfer.distribute(own, solid);
+    const filtered_fraction_report report = shaft.fill.distribute_like(shaft.transfer, solid);
     stranded = report.cap.stranded_volume;
     if (coarse_graining > 1 && packed_by_dem()) {
         narrow_wall_layer(shaft.grid(), 0.5 * scene.shaft.diameter, scene.shaft.height, coarse_graining, scene.mesh.across / 2, shaft.among(),

@@ -54,6 +54,10 @@ struct history {
     std::vector<double> wall;             ///< to the ambient [W]
     std::vector<double> stored;           ///< by the bed [W]
     std::vector<double> offgas;           ///< [K]
+    std::vector<double> peak;             ///< of the stones [K]
+    std::vector<double> peak_height;      ///< [m]
+    std::vector<double> centre;           ///< of the stones at that height [K]; NaN where none is near
+    std::vector<double> pressure_drop;    ///< [Pa]
     std::vector<double> gas_missing;      ///< mass: in less out [kg/s]
     std::vector<double> solid_missing;    ///< mass: in less out less stored [kg/s]
 
@@ -66,6 +70,10 @@ struct history {
         part("wall", wall);
         part("stored", stored);
         part("offgas", offgas);
+        part("peak", peak);
+        part("peak_height", peak_height);
+        part("centre", centre);
+        part("pressure_drop", pressure_drop);
         part("gas_missing", gas_missing);
         part("solid_missing", solid_missing);
     }
@@ -120,6 +128,9 @@ struct furnace::parts {
     double element_imbalance() const;       ///< of the gas, over what brings them [-]
     double outlet_temperature(std::size_t back = 0) const;  ///< of the product, averaged [K]; 0 where nothing left
     std::size_t hottest_stone() const;
+    double pressure_drop() const;
+    /// Mean temperature of the stones about a height, from one share of the shaft's radius to another; NaN where there are none.
+    double mean_temperature(double z, double from, double to) const;
 
     /// Visits everything that a step takes from the one before: saving and restoring both walk this list.
     /// part(name, array of doubles, vectors or numbers; or a number)

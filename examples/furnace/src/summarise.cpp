@@ -13,6 +13,21 @@ std::size_t furnace::parts::hottest_stone() const {
     return static_cast<std::size_t>(std::max_element(fields.temperature.begin(), fields.temperature.end()) - fields.temperature.begin());
 }
 
+double furnace::parts::pressure_drop() const { return shaft.solver.mean_pressure("bottom") - scene.gas.pressure; }
+
+double furnace::parts::mean_temperature(double z, double from, double to) const {
+    const double radius = 0.5 * scene.shaft.diameter, half = std::max(0.15, coarse_graining * sauter_diameter(scene));
+    double sum = 0, mass = 0;
+    for (std::size_t i = 0; i < fields.temperature.size(); ++i) {
+        const dem::vector3& x = bed->spheres()[i].centre;
+        const double r = std::hypot(x.x, x.y) / radius;
+        if (std::abs(x.z - z) > half || r < from || r > to) continue;
+        sum += bed->masses()[i] * fields.temperature[i];
+        mass += bed->masses()[i];
+    }
+    return mass > 0 ? sum / mass : std::numeric_limits<double>::quiet_NaN();
+}
+
 status furnace::now() const {
     const parts& p = *parts_;
     status s;
@@ -38,7 +53,7 @@ status furnace::now() const {
     s.maximum_gas_temperature = p.among.max(*std::max_element(t.begin(), t.end()));
     s.offgas_temperature = p.shaft.solver.mean_temperature(p.shaft.outlet());
     s.solids_outlet_temperature = p.outlet_temperature();
-    s.pressure_drop = p.shaft.solver.mean_pressure("bottom") - p.scene.gas.pressure;
+    s.pressure_drop = p.pressure_drop();
     constexpr double pi = 3.14159265358979323846;
     const double shaft = pi / 4 * p.scene.shaft.diameter * p.scene.shaft.diameter * p.scene.shaft.height;
     s.mean_void_fraction = 1 - p.bed->total_mass() / p.scene.particles.density / shaft;

@@ -50,9 +50,6 @@ summary furnace::summarise() const {
     if (p.now == phase::ignite) return s;
 
     const status now = this->now();
-    s.peak_particle_temperature = now.peak_particle_temperature;
-    s.peak_height = now.peak_height;
-    s.pressure_drop = now.pressure_drop;
     s.mean_void_fraction = now.mean_void_fraction;
     s.maximum_temperature = std::max(now.peak_particle_temperature, now.maximum_gas_temperature);
     s.stranded_volume = p.stranded;
@@ -61,26 +58,10 @@ summary furnace::summarise() const {
     s.acceleration_factor = p.scene.time.acceleration_factor;
     s.converged = p.converged;
 
-    // Means over the particles of a slice and a share of the radius.
-    const double radius = 0.5 * p.scene.shaft.diameter;
-    const double half = std::max(0.15, p.coarse_graining * sauter_diameter(p.scene));
-    const auto mean = [&](double z, double from, double to) -> std::optional<double> {
-        double sum = 0, mass = 0;
-        for (std::size_t i = 0; i < p.fields.temperature.size(); ++i) {
-            const dem::vector3& x = p.bed->spheres()[i].centre;
-            const double r = std::hypot(x.x, x.y) / radius;
-            if (std::abs(x.z - z) > half || r < from || r > to) continue;
-            sum += p.bed->masses()[i] * p.fields.temperature[i];
-            mass += p.bed->masses()[i];
-        }
-        if (!(mass > 0)) return {};
-        return sum / mass;
-    };
-    s.centre_temperature_at_peak = mean(*s.peak_height, 0, 0.2);
     const auto centre_minus_wall = [&](double z) -> std::optional<double> {
-        const auto centre = mean(z, 0, 0.3), wall = mean(z, 0.85, 2);
-        if (!centre || !wall || z > p.scene.shaft.height) return {};
-        return *centre - *wall;
+        const double difference = p.mean_temperature(z, 0, 0.3) - p.mean_temperature(z, 0.85, 2);
+        if (std::isnan(difference) || z > p.scene.shaft.height) return {};
+        return difference;
     };
     s.centre_minus_wall_at_1m = centre_minus_wall(1);
     s.centre_minus_wall_at_5m = centre_minus_wall(5);
@@ -120,6 +101,14 @@ summary furnace::summarise() const {
     }
     if (p.couplings == 0) return s;
 
+    s.peak_particle_temperature = recent_mean(p.past.peak, p.window());
+    s.peak_height = recent_mean(p.past.peak_height, p.window());
+    s.pressure_drop = recent_mean(p.past.pressure_drop, p.window());
+    if (const double centre = recent_mean(p.past.centre, p.window()); !std::isnan(centre)) s.centre_temperature_at_peak = centre;
+    s.steadying_leaps = p.leaps;
+    const double cells_of_all = p.shaft.among().sum(static_cast<double>(p.shaft.grid().owned_cells()));
+    const double allowed = p.couplings * (0.5e-6 * cells_of_all + 2e-6 * static_cast<double>(p.fields.temperature.size()));
+    s.coupling_time_over_allowance = p.shaft.among().sum(p.seconds.voidage + p.seconds.transfer) / allowed;
     s.offgas_temperature = recent_mean(p.past.offgas, p.window());
     if (p.outlet_temperature() > 0) s.solids_outlet_temperature = p.outlet_temperature();
     s.wall_heat_loss = recent_mean(p.past.wall, p.window());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -65,8 +66,8 @@ struct filtered_fraction_report {
 /// They are exact transposes, so  sum_c f_c u_c = sum_p F_p u_p : the power that the particles exert on the gas they
 /// see is the power that the gas receives.  Sums of sources are kept, and constants are seen as constants.
 ///
-/// distribute() sets the map; between two calls it belongs to the particles of the first, in their order.  Results are
-/// bitwise independent of the number of ranks and of storage order.
+/// distribute() or distribute_like() sets the map; between two calls it belongs to the particles of the first, in their
+/// order.  Results are bitwise independent of the number of ranks and of storage order.
 ///
 /// The footprints take 8 bytes an entry, the smoother two work vectors, the cap its record.  Keeps a reference to the
 /// locator, and through it to graph and mesh.  One object serves one thread at a time.
@@ -86,31 +87,28 @@ class transfer_operator {
     filtered_fraction_report distribute(const Cloud& cloud, Field& solid_fraction, const Policy& policy = {}) {
         graph().require_current();
         footprints_.reset();
-        footprints<Communicator> particles(*locator_, cloud, policy);
-        filtered_fraction_report report;
-        const deposit_report deposited = count_particles(particles.visitors());
-        report.particles = deposited.particles;
-        report.solid_volume = deposited.solid_volume;
-        report.width = settings_.width ? *settings_.width : mean_radius(particles.visitors());
+        return make_map(std::make_shared<const footprints<Communicator>>(*locator_, cloud, policy), solid_fraction);
+    }
 
-        const std::vector<double> volumes = solid_volumes(particles, graph().cell_count());
-        smooth(volumes, report);
-        report.capped_volume = volume_above_threshold(report.smoothed_maximum);
-        report.cap = cap_.smooth(cells_);
-        report.maximum = report.cap.maximum;
-
-        for (std::int32_t c = 0; c < graph().cell_count(); ++c) {
-            element(solid_fraction, c) = static_cast<value<Field>>(cells_[static_cast<std::size_t>(c)]);
+    /// The same for the particles that another operator of this locator has its map of, where two kernels are wanted of
+    /// the same particles: their footprints, which take most of the time to make and to store, are shared.
+    /// Errors as distribute; std::logic_error if the other one has no map or another locator.
+    template <class Field>
+    filtered_fraction_report distribute_like(const transfer_operator& other, Field& solid_fraction) {
+        graph().require_current();
+        other.require_map();
+        if (other.locator_ != locator_) {
+            throw std::logic_error("hearth: transfer_operator: the other one has another locator");
         }
-        footprints_.emplace(std::move(particles));
-        ++revision_;
-        return report;
+        auto particles = other.footprints_;
+        footprints_.reset();
+        return make_map(std::move(particles), solid_fraction);
     }
 
     /// How often distribute() has made a map; 0: never.
     std::uint64_t revision() const { return revision_; }
     const locator_type& locator() const { return *locator_; }
-    /// What this rank holds, graph and locator aside [bytes].
+    /// What this rank holds, graph and locator aside; footprints that are shared count with each [bytes].
     std::size_t memory() const {
         return cells_.capacity() * sizeof(double) + cap_.memory() + cap_.log_memory() +
                (smoother_ ? smoother_->memory() : 0) + (footprints_ ? footprints_->memory() : 0);
@@ -186,6 +184,28 @@ class transfer_operator {
     static constexpr std::size_t component_count = std::is_arithmetic_v<value<Values>> ? 1 : 3;
 
     const cell_graph<Communicator>& graph() const { return locator_->graph(); }
+
+    template <class Field>
+    filtered_fraction_report make_map(std::shared_ptr<const footprints<Communicator>> particles,
+                                      Field& solid_fraction) {
+        filtered_fraction_report report;
+        const deposit_report deposited = count_particles(particles->visitors());
+        report.particles = deposited.particles;
+        report.solid_volume = deposited.solid_volume;
+        report.width = settings_.width ? *settings_.width : mean_radius(particles->visitors());
+        const std::vector<double> volumes = solid_volumes(*particles, graph().cell_count());
+        smooth(volumes, report);
+        report.capped_volume = volume_above_threshold(report.smoothed_maximum);
+        report.cap = cap_.smooth(cells_);
+        report.maximum = report.cap.maximum;
+
+        for (std::int32_t c = 0; c < graph().cell_count(); ++c) {
+            element(solid_fraction, c) = static_cast<value<Field>>(cells_[static_cast<std::size_t>(c)]);
+        }
+        footprints_ = std::move(particles);
+        ++revision_;
+        return report;
+    }
 
     void require_map() const {
         graph().require_current();
@@ -282,7 +302,7 @@ class transfer_operator {
 
     const locator_type* locator_;
     filtered_fraction_settings settings_;
-    std::optional<footprints<Communicator>> footprints_;
+    std::shared_ptr<const footprints<Communicator>> footprints_;
     std::optional<kernel_smoother<Communicator>> smoother_;
     volume_fraction_smoother<cell_graph<Communicator>> cap_;
     std::vector<double> cells_;  // one value for each owned cell, between the steps

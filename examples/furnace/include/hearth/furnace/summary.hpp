@@ -45,7 +45,9 @@ struct summary {
     number maximum_temperature;              ///< of gas and particles [K]
     number stranded_volume;                  ///< solid that no cell could take [m^3]
     number clamped_evaluations;              ///< closures outside of their range and gas outside of its tables
+    number steadying_leaps;                  ///< towards the steady state [-]
     number acceleration_factor;              ///< Gamma, also where the scene left it to the program [-]
+    number coupling_time_over_allowance;     ///< voidage and transfer, time of all ranks over 0.5 us a cell and 2 us a parcel for each coupling [-]
     number coupling_share;                   ///< of the wall time: voidage and transfer [-]
     number wall_time;                        ///< [s]
     number peak_memory;                      ///< [bytes]
@@ -97,7 +99,9 @@ void for_each_number(Summary& s, Visit&& visit) {
     visit("maximum_temperature_K", s.maximum_temperature);
     visit("stranded_volume_m3", s.stranded_volume);
     visit("clamped_evaluations", s.clamped_evaluations);
+    visit("steadying_leaps", s.steadying_leaps);
     visit("acceleration_factor", s.acceleration_factor);
+    visit("coupling_time_over_allowance", s.coupling_time_over_allowance);
     visit("coupling_share", s.coupling_share);
     visit("wall_time_s", s.wall_time);
     visit("peak_memory_bytes", s.peak_memory);
