@@ -30,7 +30,14 @@ bool is_the_papers(const settings& scene) {
            same(scene.burners.height, paper.burners.height) && scene.burners.count == paper.burners.count;
 }
 
-const char* word(bed_packing p) { return p == bed_packing::dem ? "packed by DEM" : "on a lattice"; }
+const char* word(bed_packing p) {
+    switch (p) {
+        case bed_packing::dem: return "packed by DEM";
+        case bed_packing::lattice: return "on a lattice";
+        case bed_packing::dense: return "at random, pushed apart";
+    }
+    return "";
+}
 
 const char* word(bed_motion m) {
     switch (m) {
@@ -67,6 +74,7 @@ std::string expectation(const settings& scene, const plan& planned) {
     out += print("  gas        %lld cells, %s\n", static_cast<long long>(planned.cells), word(scene.physics.combustion));
     out += print("  bed        %lld parcels that stand for %lld particles, %s, %s\n", static_cast<long long>(planned.parcels),
                  static_cast<long long>(planned.particles), word(scene.bed.packing), word(scene.bed.motion));
+    if (planned.waiting > 0) out += print("  hopper     %lld parcels more, cold\n", static_cast<long long>(planned.waiting));
     out += print("  couplings  %d over %.3g residence times\n", planned.couplings, scene.time.residence_times);
     out += print("  expected   %s of memory, %s on one core (+-50 %%)\n", size_of(planned.memory).c_str(), duration(planned.seconds).c_str());
     if (!planned.left_out.empty()) out += "\nLeft out:\n";

@@ -52,14 +52,14 @@ furnace::parts::parts(const settings& given, ranks given_ranks)
       leap(scene) {
     if (!profile.converged) throw bad_scene("the one-dimensional solution of this scene did not converge");
     if (packed_by_dem()) fill.emplace(scene, among);
-    else use_bed(lattice_bed(scene));
+    else use_bed(scene.bed.packing == bed_packing::dense ? dense_bed(scene) : lattice_bed(scene));
 }
 
 void furnace::parts::use_bed(std::unique_ptr<dem::moving_bed> made) {
     bed = std::move(made);
     now = phase::ignite;
     // Parcels of a lattice are a little larger than asked, so that they hold all of the solid.
-    bed_mass = bed->total_mass();
+    bed_mass = mass_in_shaft();
     double surface = 0, volume = 0;
     for (const dem::sphere& s : bed->spheres()) {
         surface += s.radius * s.radius;
@@ -104,6 +104,14 @@ void furnace::parts::ignite() {
         rings.temperature()[r] = cold ? scene.particles.feed_temperature : at_height(profile.particle_temperature, z, scene.shaft.height);
     }
     now = phase::couple;
+}
+
+double furnace::parts::mass_in_shaft() const {
+    double sum = 0;
+    for (std::size_t i = 0; i < bed->masses().size(); ++i) {
+        if (bed->spheres()[i].centre.z < end_of_bed()) sum += bed->masses()[i];
+    }
+    return sum;
 }
 
 double furnace::parts::bed_enthalpy() const {

@@ -35,7 +35,7 @@ constexpr auto names(bed_motion) { return std::array<std::string_view, 3>{"recor
 constexpr auto names(burning) { return std::array<std::string_view, 4>{"none", "mixed_is_burnt", "equilibrium", "jones_lindstedt"}; }
 constexpr auto names(gas_mixing) { return std::array<std::string_view, 2>{"at_once", "bed"}; }
 constexpr auto names(voidage_method) { return std::array<std::string_view, 2>{"filtered", "vfs"}; }
-constexpr auto names(bed_packing) { return std::array<std::string_view, 2>{"dem", "lattice"}; }
+constexpr auto names(bed_packing) { return std::array<std::string_view, 3>{"dem", "lattice", "dense"}; }
 constexpr auto names(burner_feed) { return std::array<std::string_view, 2>{"nozzles", "section"}; }
 constexpr auto names(start_from) { return std::array<std::string_view, 2>{"one_dimensional", "cold"}; }
 
@@ -51,6 +51,7 @@ void describe(Settings& s, Key&& key) {
     key("shaft", "height_m", s.shaft.height, range{0.1, 100}, "Height of the shaft");
     key("shaft", "diameter_m", s.shaft.diameter, range{0.05, 20}, "Inner diameter");
     key("shaft", "hopper_height_m", s.shaft.hopper_height, range{0, 20}, "Height of the free space between bed and hopper, with the off-gas pipe (assumed); 0: none, and the off-gas leaves at the top");
+    key("shaft", "hopper_fill_m", s.shaft.hopper_fill, range{0, 100}, "Height of the stones that wait in the hopper, above the free space and as wide as the shaft: cold, beside gas and heat, and next to enter the shaft one by one; 0: the feed comes from nowhere");
     key("shaft", "offgas_pipe_diameter_m", s.shaft.offgas_pipe_diameter, range{0.01, 5}, "Side pipe of the off-gas, in the free space below the hopper (assumed)");
 
     key("particles", "mass_flow_kg_per_h", s.particles.mass_flow, range{0, 1e6, 1 / 3600.0}, "Solids fed at the top and taken out at the bottom");
@@ -72,7 +73,7 @@ void describe(Settings& s, Key&& key) {
     key("gas", "outlet_pressure_Pa", s.gas.pressure, range{1e3, 1e7}, "Absolute pressure in the off-gas pipe");
     key("gas", "ignition_temperature_K", s.gas.ignition_temperature, range{300, 3000}, "Gas around the burners at the start");
 
-    key("bed", "packing", s.bed.packing, range{}, "Where the parcels lie: as DEM lets them fall, or on a lattice of bed.void_fraction");
+    key("bed", "packing", s.bed.packing, range{}, "Where the parcels lie: as DEM lets them fall; on a lattice of bed.void_fraction; or dense, at random and pushed apart to bed.void_fraction, which needs no fall, in a piece of the shaft that repeats upwards");
     key("bed", "motion", s.bed.motion, range{}, "How the bed moves: as a stretch of DEM with feed and discharge, recorded and repeated; as a body that sinks, and what leaves below comes back on top as feed; or not at all");
     key("bed", "recorded_diameters", s.bed.recorded_diameters, range{0.5, 1000}, "By how many parcels the bed sinks while it is recorded");
     key("bed", "recording_acceleration_factor", s.bed.recording_acceleration_factor, range{1, 1e4}, "Gamma of the DEM that is recorded; the flow stays quasi-static up to 200");
@@ -95,7 +96,7 @@ void describe(Settings& s, Key&& key) {
     key("mesh", "axial_size_bottom_m", s.mesh.axial_size_bottom, range{1e-3, 10}, "Height of the cells in the lowest 0.8 m, where cold air meets hot stones");
     key("mesh", "axial_size_burners_m", s.mesh.axial_size_burners, range{1e-3, 10}, "Height of the cells around the burners");
 
-    key("physics", "radiation", s.physics.radiation, range{}, "Radiation between particles and with walls");
+    key("physics", "radiation", s.physics.radiation, range{}, "Radiation between particles; the wall sees them in any case, or its loss would have no meaning");
     key("physics", "conduction", s.physics.conduction, range{}, "Conduction through contacts and gas films");
     key("physics", "nitric_oxide", s.physics.nitric_oxide, range{}, "Thermal NO, computed after the run");
     key("physics", "combustion", s.physics.combustion, range{}, "How the gas burns: not at all (the burners blow air), to CO2 and H2O or to equilibrium where it is mixed, or by Jones and Lindstedt's four steps at finite rates");

@@ -9,7 +9,7 @@
 namespace hearth::furnace {
 
 void furnace::parts::place_bed() {
-    share.cut(bed->spheres(), rings);
+    share.cut(bed->spheres(), rings, end_of_bed());
     const stopwatch timing(seconds.voidage);
     std::vector<double> solid(static_cast<std::size_t>(shaft.grid().cells()));
     const own_parcels own{*bed, share.mine(), top()};
@@ -17,7 +17,7 @@ void furnace::parts::place_bed() {
     else shaft.transfer.distribute(own, solid);
     const filtered_fraction_report report = shaft.fill.distribute_like(shaft.transfer, solid);
     stranded = report.cap.stranded_volume;
-    if (coarse_graining > 1 && packed_by_dem()) {
+    if (coarse_graining > 1 && scene.bed.packing != bed_packing::lattice) {
         narrow_wall_layer(shaft.grid(), 0.5 * scene.shaft.diameter, scene.shaft.height, coarse_graining, scene.mesh.across / 2, shaft.among(),
                           solid);
     }
@@ -97,9 +97,9 @@ void furnace::parts::exchange_with_gas() {
     exchange.finish(guess, mass, caloric_of, clock, temperature, taken);
     std::vector<double> convected(count);
     for (std::size_t i = 0; i < count; ++i) convected[i] = taken[i].heat / process_step;
-    fields.temperature = share.gather(temperature);
-    fields.conductance = share.gather(film);
-    fields.convected = share.gather(convected);
+    share.gather(temperature, fields.temperature);
+    share.gather(film, fields.conductance);
+    share.gather(convected, fields.convected);
 }
 
 }  // namespace hearth::furnace

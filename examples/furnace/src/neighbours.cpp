@@ -25,6 +25,7 @@ class node_places {
         }
     }
 
+    void expect(std::size_t pairs) { pairs_.reserve(pairs); }  // they are many, and growing would take twice their memory
     /// Adds a pair of nodes, of which one at least is this rank's.
     void link(std::int32_t a, std::int32_t b, const thermal_link<double>& link) {
         if (owner(a) != share_.among().rank()) std::swap(a, b);
@@ -58,11 +59,10 @@ class node_places {
 
 }  // namespace
 
-/// Radiation and conduction between parcels and with the wall, whose rings pass on what they get to the ambient.
+/// Radiation and conduction between parcels and with the wall, whose rings pass on what they get to the ambient.  The wall
+/// sees the parcels even where these do not see each other: what it loses is a matter of its own.
 void furnace::parts::exchange_with_neighbours() {
     wall_loss = 0;
-    links.clear();
-    if (!scene.physics.radiation && !scene.physics.conduction) return;
     {
         const stopwatch timing(seconds.links);
         stone_terms.links(cloud(), bed_neighbours{*bed, rings, share}, no_gas{}, links);
@@ -76,14 +76,16 @@ void furnace::parts::exchange_with_neighbours() {
                 else if (!scene.physics.conduction) link.conductance = 0;
             }
         }
-        if (!scene.physics.radiation) links.walls.clear();
     }
     const stopwatch timing(seconds.radiation);
     // The rings are nodes of the network as the stones are: a wall that took its temperature from the stones of before would
     // lose a third too little, since it is 3 K colder than they are and they move by as much in a step.
     const std::size_t count = fields.temperature.size(), own = share.mine().size();
     node_places nodes(share, count, rings.size());
-    for (const auto& pair : links.pairs) nodes.link(pair.first, pair.second, pair.link);
+    nodes.expect(links.pairs.size() + links.walls.size());
+    for (const auto& pair : links.pairs) {
+        if (pair.link.radiation > 0 || pair.link.conductance > 0) nodes.link(pair.first, pair.second, pair.link);
+    }
     for (const auto& wall : links.walls) nodes.link(wall.particle, static_cast<std::int32_t>(count) + wall.patch, wall.link);
     std::vector<double> temperature = share.pick(fields.temperature), mass = share.pick(bed->masses());
     std::vector<heat_bath<double>> baths(own);
@@ -104,7 +106,7 @@ void furnace::parts::exchange_with_neighbours() {
     const auto of_rings = temperature.begin() + static_cast<std::ptrdiff_t>(own);
     rings.temperature() = among.gather(std::vector<double>(of_rings, temperature.end()));
     temperature.resize(own);
-    fields.temperature = share.gather(temperature);
+    share.gather(temperature, fields.temperature);
     tell_mechanisms();
 }
 
@@ -128,10 +130,9 @@ void furnace::parts::tell_mechanisms() {
         const double ring = rings.temperature()[static_cast<std::size_t>(wall.patch)];
         walled[i] += wall.link.secant(t[i], ring) * (ring - t[i]);
     }
-    const auto of_all = [&](const std::vector<double>& heat) { return share.gather(share.pick(heat)); };
-    fields.radiated = of_all(radiated);
-    fields.conducted = of_all(conducted);
-    fields.from_wall = of_all(walled);
+    share.gather(share.pick(radiated), fields.radiated);
+    share.gather(share.pick(conducted), fields.conducted);
+    share.gather(share.pick(walled), fields.from_wall);
 }
 
 }  // namespace hearth::furnace

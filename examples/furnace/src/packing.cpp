@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "random_packing.hpp"
+
 namespace hearth::furnace {
 
 namespace {
@@ -95,7 +97,7 @@ dem::wall shaft_wall(const settings& scene, double top) {
 }
 
 std::unique_ptr<dem::moving_bed> lattice_bed(const settings& scene) {
-    const double height = scene.shaft.height, shaft_radius = 0.5 * scene.shaft.diameter;
+    const double height = height_of_stones(scene), shaft_radius = 0.5 * scene.shaft.diameter;
     double radius = 0.5 * scene.bed.coarse_graining * sauter_diameter(scene);
     const double wanted = (1 - scene.bed.void_fraction) * pi * shaft_radius * shaft_radius * height / (4.0 / 3.0 * pi * std::pow(radius, 3));
     // Parcels near the wall come and go with the lattice's spacing, so look for the spacing that holds as many as wanted.
@@ -113,6 +115,26 @@ std::unique_ptr<dem::moving_bed> lattice_bed(const settings& scene) {
     return bed_of(scene, std::move(spheres), masses);
 }
 
+std::unique_ptr<dem::moving_bed> dense_bed(const settings& scene) {
+    const dem::size_distribution sizes = sizes_of(scene);
+    const double all = height_of_stones(scene), piece = std::max(2 * scene.shaft.diameter, 8 * sizes.largest());
+    const double pieces = std::max(1.0, std::floor(all / piece)), height = all / pieces;
+    const std::vector<dem::sphere> one = random_packing({0.5 * scene.shaft.diameter, height, scene.bed.void_fraction}, sizes, scene.output.seed);
+    std::vector<dem::sphere> spheres;
+    std::vector<double> masses;
+    spheres.reserve(one.size() * static_cast<std::size_t>(pieces));
+    masses.reserve(spheres.capacity());
+    for (double p = 0; p < pieces; ++p) {
+        for (const dem::sphere& s : one) {
+            spheres.push_back({{s.centre.x, s.centre.y, std::min(s.centre.z + p * height, all)}, s.radius});
+            masses.push_back(4.0 / 3.0 * pi * std::pow(s.radius, 3) * scene.particles.density);
+        }
+    }
+    return bed_of(scene, std::move(spheres), std::move(masses));
+}
+
+double height_of_stones(const settings& scene) { return scene.shaft.height + scene.shaft.hopper_fill; }
+
 dem::surroundings surroundings_of(const settings& scene) {
     dem::surroundings around{dem::contact_law::between_particles(softened(scene), contact_of(scene)), {shaft_wall(scene, scene.shaft.height)}, {}};
     around.wall_laws.push_back(dem::contact_law::with_wall(softened(scene), softened(scene), contact_of(scene)));
@@ -123,7 +145,7 @@ std::unique_ptr<dem::moving_bed> bed_of(const settings& scene, std::vector<dem::
     if (scene.bed.motion == bed_motion::frozen) {
         return std::make_unique<dem::frozen_bed>(std::move(spheres), std::move(masses), surroundings_of(scene));
     }
-    const dem::zone shaft{{0, 0, 0}, 0.5 * scene.shaft.diameter, scene.shaft.height};
+    const dem::zone shaft{{0, 0, 0}, 0.5 * scene.shaft.diameter, height_of_stones(scene)};
     return std::make_unique<dem::plug_bed>(std::move(spheres), std::move(masses), shaft, surroundings_of(scene), scene.particles.mass_flow);
 }
 

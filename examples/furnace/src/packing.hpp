@@ -28,7 +28,14 @@ dem::surroundings surroundings_of(const settings& scene);
 /// The lattice leans a little, so that parcels leave one by one and not by layers.
 std::unique_ptr<dem::moving_bed> lattice_bed(const settings& scene);
 
-/// A bed of these spheres that sinks as a plug or is frozen, as the scene says; centres within the shaft.
+/// The same of parcels at random, of all sizes: see random_packing.hpp.
+std::unique_ptr<dem::moving_bed> dense_bed(const settings& scene);
+
+/// Of the bed and of what stands in the hopper: in a bed that sinks as a plug the hopper's stones follow on those of the shaft,
+/// as if there were no free space between them [m].
+double height_of_stones(const settings& scene);
+
+/// A bed of these spheres that sinks as a plug or is frozen, as the scene says; centres within height_of_stones.
 std::unique_ptr<dem::moving_bed> bed_of(const settings& scene, std::vector<dem::sphere> spheres, std::vector<double> masses);
 
 }  // namespace hearth::furnace

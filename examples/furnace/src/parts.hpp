@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -120,6 +121,9 @@ struct furnace::parts {
     void exchange_with_neighbours();
     void tell_mechanisms();
     void place_bed();
+    /// Height from which on parcels wait in the hopper, as the bed that sinks as a plug has them [m].
+    double end_of_bed() const { return scene.shaft.hopper_fill > 0 ? scene.shaft.height : std::numeric_limits<double>::infinity(); }
+    double mass_in_shaft() const;  ///< without the hopper [kg]
     double top() const { return scene.shaft.height + scene.shaft.hopper_height; }  ///< of the mesh [m]
     parcels cloud() const { return {*bed, fields, top()}; }
     double bed_enthalpy() const;

@@ -62,10 +62,14 @@ void check(const settings& scene) {
                         format(scene.shaft.height));
     }
     if (scene.bed.motion == bed_motion::recorded && scene.bed.packing != bed_packing::dem) {
-        throw bad_scene("bed.motion is \"recorded\", allowed with bed.packing = \"dem\": there is nothing to record of a lattice");
+        throw bad_scene("bed.motion is \"recorded\", allowed with bed.packing = \"dem\": there is nothing to record of what DEM has not packed");
     }
     if (scene.bed.motion == bed_motion::recorded && !(scene.particles.mass_flow > 0)) {
         throw bad_scene("bed.motion is \"recorded\", allowed where particles.mass_flow_kg_per_h is above 0");
+    }
+    if (scene.shaft.hopper_fill > 0 && (scene.shaft.hopper_height <= 0 || scene.bed.motion != bed_motion::plug)) {
+        throw bad_scene("shaft.hopper_fill_m is " + format(scene.shaft.hopper_fill) +
+                        ", allowed with bed.motion = \"plug\" and shaft.hopper_height_m above 0: what sinks in the hopper sinks as one with the shaft's bed");
     }
     if (scene.bed.softened_modulus > scene.bed.modulus) {
         throw bad_scene("bed.softened_modulus_Pa is " + format(scene.bed.softened_modulus) + ", allowed: at most bed.modulus_Pa, " +

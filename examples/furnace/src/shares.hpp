@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
 #include <hearth/dem/particles.hpp>
@@ -19,15 +18,18 @@ class shares {
   public:
     explicit shares(ranks among) : among_(std::move(among)) {}
 
-    /// To be called when parcels have moved.
-    void cut(const std::vector<dem::sphere>& parcels, const wall_rings& rings) {
-        const auto count = parcels.size(), size = static_cast<std::size_t>(among_.size());
+    /// To be called when parcels have moved.  Nobody works on those from the height `top` on.
+    void cut(const std::vector<dem::sphere>& parcels, const wall_rings& rings, double top) {
+        const auto size = static_cast<std::size_t>(among_.size());
         const auto z = [&](std::int32_t i) { return parcels[static_cast<std::size_t>(i)].centre.z; };
-        std::vector<std::int32_t> upwards(count);
-        std::iota(upwards.begin(), upwards.end(), 0);
+        std::vector<std::int32_t> upwards;
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(parcels.size()); ++i) {
+            if (z(i) < top) upwards.push_back(i);
+        }
+        const std::size_t count = upwards.size();
         const auto below = [&](std::int32_t a, std::int32_t b) { return z(a) != z(b) ? z(a) < z(b) : a < b; };
         if (size > 1) std::sort(upwards.begin(), upwards.end(), below);
-        owner_.assign(count, 0);
+        owner_.assign(parcels.size(), nobody);
         ring_owner_.assign(rings.size(), 0);
         order_.clear();
         for (std::size_t r = 0; r < size; ++r) {
@@ -51,6 +53,7 @@ class shares {
     const std::vector<std::int32_t>& mine() const { return mine_; }
     int owner(std::int32_t parcel) const { return owner_[static_cast<std::size_t>(parcel)]; }
     int ring_owner(std::size_t ring) const { return ring_owner_[ring]; }
+    bool is_anybodys(std::int32_t parcel) const { return owner(parcel) != nobody; }
     bool is_mine(std::int32_t parcel) const { return owner(parcel) == among_.rank(); }
     bool is_my_ring(std::size_t ring) const { return ring_owner(ring) == among_.rank(); }
 
@@ -62,16 +65,16 @@ class shares {
         for (const std::int32_t i : mine_) own.push_back(of_all[static_cast<std::size_t>(i)]);
         return own;
     }
-    /// Values of all parcels, on every rank, from each rank's of its own.
+    /// Puts the values of each rank's own parcels among those of all, on every rank.
     template <class Value>
-    std::vector<Value> gather(const std::vector<Value>& own) const {
+    void gather(const std::vector<Value>& own, std::vector<Value>& all) const {
         const std::vector<Value> in_order = among_.gather(own);
-        std::vector<Value> all(in_order.size());
         for (std::size_t k = 0; k < order_.size(); ++k) all[static_cast<std::size_t>(order_[k])] = in_order[k];
-        return all;
     }
 
   private:
+    static constexpr int nobody = -1;
+
     ranks among_;
     std::vector<std::int32_t> mine_, order_;  // order_: the parcels of rank 0, of rank 1, ...
     std::vector<int> owner_, ring_owner_;

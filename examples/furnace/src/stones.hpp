@@ -145,7 +145,9 @@ template <>
 struct hearth::contact_traits<hearth::furnace::bed_neighbours> {
     using host = furnace::bed_neighbours;
 
-    static bool concerns(const host& h, std::int32_t i, std::int32_t j) { return h.share.is_mine(i) || h.share.is_mine(j); }
+    static bool concerns(const host& h, std::int32_t i, std::int32_t j) {
+        return (h.share.is_mine(i) || h.share.is_mine(j)) && h.share.is_anybodys(i) && h.share.is_anybodys(j);
+    }
     template <class Visit>
     static void for_each_contact(const host& h, Visit&& visit) {
         contact_traits<dem::moving_bed>::for_each_contact(h.bed, [&](std::int32_t i, std::int32_t j, const contact& touch) {
@@ -161,6 +163,7 @@ struct hearth::contact_traits<hearth::furnace::bed_neighbours> {
     template <class Visit>
     static void for_each_near_wall(const host& h, double radius_factor, Visit&& visit) {
         h.bed.for_each_near_wall(radius_factor, [&](std::int32_t i, int, double distance) {
+            if (!h.share.is_anybodys(i)) return;
             const int ring = h.rings.ring(h.bed.spheres()[static_cast<std::size_t>(i)].centre.z);
             if (h.share.is_mine(i) || h.share.is_my_ring(static_cast<std::size_t>(ring))) visit(i, ring, distance);
         });

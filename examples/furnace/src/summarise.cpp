@@ -56,7 +56,7 @@ status furnace::now() const {
     s.pressure_drop = p.pressure_drop();
     constexpr double pi = 3.14159265358979323846;
     const double shaft = pi / 4 * p.scene.shaft.diameter * p.scene.shaft.diameter * p.scene.shaft.height;
-    s.mean_void_fraction = 1 - p.bed->total_mass() / p.scene.particles.density / shaft;
+    s.mean_void_fraction = 1 - p.mass_in_shaft() / p.scene.particles.density / shaft;
     if (p.couplings == 0) return s;
     s.wall_heat_loss = p.past.wall.back();
     s.gas_enthalpy_out = p.past.gas_out.back();
@@ -79,7 +79,11 @@ snapshot furnace::look() const {
         for (const dem::particle& parcel : p.fill->parcels()) show(parcel.position, parcel.radius);
         return s;
     }
-    for (const dem::sphere& parcel : p.bed->spheres()) show(parcel.centre, parcel.radius);
+    for (const dem::sphere& parcel : p.bed->spheres()) {
+        dem::vector3 x = parcel.centre;
+        if (x.z >= p.end_of_bed()) x.z += p.scene.shaft.hopper_height;
+        show(x, parcel.radius);
+    }
     s.particle_temperature = p.fields.temperature;
     for (std::size_t i = 0; i < s.particle_radius.size(); ++i) {
         constexpr double pi = 3.14159265358979323846;
@@ -158,10 +162,8 @@ axial_profile furnace::axial(int slices) const {
                         &profile.gas_temperature, &profile.pressure, &profile.void_fraction, &profile.convection}) {
         field->assign(n, 0.0);
     }
-    if (p.scene.physics.radiation) {
-        profile.radiation.assign(n, 0.0);
-        profile.wall.assign(n, 0.0);
-    }
+    profile.wall.assign(n, 0.0);
+    if (p.scene.physics.radiation) profile.radiation.assign(n, 0.0);
     if (p.scene.physics.conduction) profile.conduction.assign(n, 0.0);
     const std::pair<std::vector<double>*, const std::vector<double>*> mechanisms[] = {{&profile.convection, &p.fields.convected},
                                                                                       {&profile.radiation, &p.fields.radiated},

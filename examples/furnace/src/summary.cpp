@@ -45,7 +45,7 @@ summary furnace::summarise() const {
     if (p.scene.particles.mass_flow > 0) s.specific_heat_consumption = *s.fuel_power / p.scene.particles.mass_flow * 1e-3;
     if (p.shaft.burner_flow() > 0) s.excess_air_ratio = p.shaft.excess_air_ratio();
     if (p.now == phase::fill) return s;
-    s.bed_mass = p.bed->total_mass();
+    s.bed_mass = p.mass_in_shaft();
     if (p.scene.particles.mass_flow > 0) s.residence_time = p.residence_time / 3600;
     if (p.now == phase::ignite) return s;
 
@@ -177,9 +177,12 @@ plan foresee(const settings& scene) {
     constexpr double pi = 3.14159265358979323846;
     const double height = scene.shaft.height, radius = 0.5 * scene.shaft.diameter, d = sauter_diameter(scene);
     const double solid = (1 - scene.bed.void_fraction) * pi * radius * radius * height;
-    const double stone = pi / 6 * d * d * d;
+    double stones_per_volume = 0;
+    for (const size_class& size : scene.particles.sizes) stones_per_volume += size.mass_share / (pi / 6 * std::pow(size.diameter, 3));
+    const double stone = scene.bed.packing == bed_packing::lattice ? pi / 6 * d * d * d : 1 / stones_per_volume;
     result.particles = static_cast<std::int64_t>(solid / stone);
     result.parcels = static_cast<std::int64_t>(solid / stone / std::pow(scene.bed.coarse_graining, 3));
+    result.waiting = static_cast<std::int64_t>(static_cast<double>(result.parcels) * scene.shaft.hopper_fill / height);
     const double layers = 1 / scene.mesh.axial_size_bottom + 0.6 / scene.mesh.axial_size_burners +
                           std::max(0.0, height + scene.shaft.hopper_height - 1.6) / scene.mesh.axial_size;
     const double across = scene.shaft.diameter / scene.mesh.across;
@@ -202,9 +205,9 @@ plan foresee(const settings& scene) {
     const auto leaves = [&](bool out, const char* what, const char* because, const char* saves) {
         if (out) result.left_out.push_back({what, because, saves});
     };
-    leaves(!scene.physics.radiation, "radiation", "physics.radiation", "the list of neighbours and half of its solution");
+    leaves(!scene.physics.radiation, "radiation", "physics.radiation", "nine tenths of the links between stones");
     leaves(!scene.physics.conduction, "conduction through contacts", "physics.conduction", "the list of contacts");
-    leaves(scene.bed.packing == bed_packing::lattice, "DEM", "bed.packing", "the fill phase");
+    leaves(scene.bed.packing != bed_packing::dem, "DEM", "bed.packing", "the fill phase");
     leaves(scene.bed.motion == bed_motion::plug, "shear of the bed, which sinks as a body", "bed.motion", "DEM while it sinks");
     leaves(scene.bed.motion == bed_motion::frozen, "motion of the bed", "bed.motion", "DEM after the filling");
     const burning how = scene.physics.combustion;

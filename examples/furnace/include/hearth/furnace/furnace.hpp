@@ -54,7 +54,8 @@ struct status {
 
 /// What a scene will build and cost, before anything is built.
 struct plan {
-    std::int64_t cells = 0, parcels = 0, particles = 0;  ///< particles: stones that the parcels stand for
+    std::int64_t cells = 0, parcels = 0, particles = 0;  ///< of the shaft; particles: stones that the parcels stand for
+    std::int64_t waiting = 0;                            ///< parcels in the hopper
     int couplings = 0;
     double memory = 0;   ///< [bytes]
     double seconds = 0;  ///< of one core like those that this was measured on, +-50 % [s]

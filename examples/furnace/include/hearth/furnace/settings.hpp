@@ -41,7 +41,7 @@ enum class bed_motion { recorded, plug, frozen };
 enum class burning { none, mixed_is_burnt, equilibrium, jones_lindstedt };
 enum class gas_mixing { at_once, bed };
 enum class voidage_method { filtered, vfs };
-enum class bed_packing { dem, lattice };
+enum class bed_packing { dem, lattice, dense };
 enum class burner_feed { nozzles, section };
 enum class start_from { one_dimensional, cold };
 
@@ -55,7 +55,8 @@ struct settings {
     struct {
         double height = 10;
         double diameter = 0.85;
-        double hopper_height = 1;          ///< stub of the hopper that is modelled
+        double hopper_height = 1;          ///< of the free space between bed and hopper
+        double hopper_fill = 0;            ///< height to which stones stand in the hopper, at the shaft's diameter
         double offgas_pipe_diameter = 0.3;
         std::vector<wall_zone> zones{{0, 10, 3, 320}};
     } shaft;
