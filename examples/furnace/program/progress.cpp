@@ -6,12 +6,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
 
 #include "report.hpp"
 
 namespace hearth::furnace::program {
 
-progress::progress(std::FILE* out, bool quiet) : out_(out), quiet_(quiet), terminal_(isatty(fileno(out)) == 1) {}
+namespace {
+
+/// Open MPI gives its ranks a terminal of their own for what they print, wherever it sends that: then the launcher's counts.
+bool is_terminal(std::FILE* out) {
+    if (isatty(fileno(out)) != 1) return false;
+    if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return true;
+    std::error_code unknown;
+    const std::string end = std::filesystem::read_symlink("/proc/" + std::to_string(getppid()) + "/fd/1", unknown).string();
+    return unknown || end.find("/dev/pts/") == 0 || end.find("/dev/tty") == 0;
+}
+
+}  // namespace
+
+progress::progress(std::FILE* out, bool quiet) : out_(out), quiet_(quiet), terminal_(is_terminal(out)) {}
 
 std::string progress_line(const status& now, double left) {
     char text[256];
