@@ -2,11 +2,14 @@
 // A settled bed of spheres of 16 to 19.5 mm in a cylinder of 0.85 m, Hertz with history, skin of a tenth of a diameter: time
 // per particle and step of the motion, with lists rebuilt every ten steps, with conduction, and of radiation to 2.5 diameters;
 // beside it LAMMPS and LIGGGHTS with the same bed, contact law, step and skin, where they are installed;
-// rest_speed is what particles at rest still have, root mean square over sqrt(g d).  And the error of a bounce over the steps spent on it.
+// rest_speed is what particles at rest still have, root mean square over sqrt(g d).  And the error of a bounce over the steps
+// spent on it.  HEARTH_LARGE in the environment adds the bed of 1.8 million, for itself with --benchmark_filter=1800000: some
+// ten minutes, with its build, steps and time to settle, and the peak memory of the process (peak_bytes).
 #include <hearth/dem/thermal_bed.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <memory>
@@ -40,12 +43,6 @@ bed& settled(int count) {
 
 const double fall_speed = std::sqrt(9.81 * 0.0178);  // [m/s]
 
-double speed_of(const bed& b) {
-    double sum = 0;
-    for (std::int32_t i = 0; i < b.size(); ++i) sum += dot(b.motions()[i].velocity, b.motions()[i].velocity);
-    return std::sqrt(sum / b.size());
-}
-
 void move(benchmark::State& state, int count, bool rebuild) {
     bed& b = settled(count);
     b.advance(10);
@@ -55,7 +52,36 @@ void move(benchmark::State& state, int count, bool rebuild) {
     }
     bench::set_items(state, 10.0 * b.size());
     state.counters["bytes_per_particle"] = static_cast<double>(b.memory()) / b.size();
-    state.counters["rest_speed"] = speed_of(b) / fall_speed;
+    state.counters["rest_speed"] = bench::speed_of(b) / fall_speed;
+}
+
+/// Nine settled beds of 200 000 on top of one another: built, settled until they rest, stepped.  At rest: slower than after
+/// a fall by a thousandth of a radius, root mean square, and floor and cylinder carry the weight within a hundredth.
+void move_large(benchmark::State& state) {
+    bed b = [&] {
+        bed& layer = settled(200000);
+        const double began = bench::processor_seconds();
+        bed stacked = bench::stacked_layers(layer, 9);
+        stacked.advance(1);  // with its lists
+        state.counters["build_seconds"] = bench::processor_seconds() - began;
+        return stacked;
+    }();
+    const double began = bench::processor_seconds();
+    const auto at_rest = [&] {
+        return bench::speed_of(b) < std::sqrt(2e-3 * 9.81 * 0.0089) && bench::weight_not_carried(b) < 0.01;
+    };
+    constexpr int most_steps = 20000;
+    while (!at_rest() && b.steps() < most_steps) b.advance(250);
+    if (!at_rest()) return state.SkipWithError("not at rest after 20 000 steps");
+    state.counters["settle_seconds"] = bench::processor_seconds() - began;
+    state.counters["settle_steps"] = static_cast<double>(b.steps());
+    for (auto _ : state) b.advance(10);
+    bench::set_items(state, 10.0 * b.size());
+    state.counters["particles"] = b.size();
+    state.counters["bytes_per_particle"] = static_cast<double>(b.memory()) / b.size();
+    state.counters["rest_speed"] = bench::speed_of(b) / fall_speed;
+    state.counters["weight_not_carried"] = bench::weight_not_carried(b);
+    state.counters["peak_bytes"] = bench::peak_bytes();
 }
 
 enum class rival_run { settled, rebuild, conduct };
@@ -163,6 +189,9 @@ const bool registered = [] {
         RegisterBenchmark(("radiation of a settled bed/rates" + size).c_str(), radiate, count, part::rates)->Unit(benchmark::kMillisecond);
         RegisterBenchmark(("radiation of a settled bed/links" + size).c_str(), radiate, count, part::links)->Unit(benchmark::kMillisecond);
         RegisterBenchmark(("radiation of a settled bed/list" + size).c_str(), radiate, count, part::list)->Unit(benchmark::kMillisecond);
+    }
+    if (std::getenv("HEARTH_LARGE") != nullptr) {
+        RegisterBenchmark("motion of a settled bed/settled/particles:1800000", move_large)->Iterations(10)->Unit(benchmark::kMillisecond);
     }
     for (const int steps : {10, 20, 50, 100, 1000, 10000}) {
         RegisterBenchmark(("bounce/ours/steps:" + std::to_string(steps)).c_str(), bounce, steps)->Unit(benchmark::kMicrosecond);

@@ -39,19 +39,25 @@ def conductivity(tables, to):
 
 def accuracy(tables, to):
     rows = table(tables / "sweeps.txt")
-    best = next(row for row in rows if row["what"] == "reference")
-    figure, axes = plt.subplots(1, 3, figsize=(8.4, 3.2), sharey=True, layout="constrained")
+    poured = next(row for row in rows if row["what"] == "reference")
+    parcels = [{**row, "value": row["k"]} for row in table(tables / "parcels.txt")]
+    figure, axes = plt.subplots(1, 4, figsize=(9.6, 3.2), sharey=True, layout="constrained")
     quantities = (("height", "bed height", BLUE, "o"), ("solid", "solid fraction", RED, "s"),
                   ("floor_stress", "stress on the floor", GREEN, "^"), ("conductivity", "conductivity", ORANGE, "D"))
     for axis, (what, title) in zip(axes, (("step", "step [s]"), ("skin", "skin over diameter [-]"),
-                                          ("modulus", "modulus of the motion [Pa]"))):
-        runs = [row for row in rows if row["what"] == what]
+                                          ("modulus", "modulus of the motion [Pa]"), ("k", "parcel factor k [-]"))):
+        runs, best = [row for row in rows if row["what"] == what], poured
+        if what == "k":
+            best, *runs = parcels
         for name, label, colour, marker in quantities:
             axis.scatter(column(runs, "value"), [100 * abs(row[name] / best[name] - 1) for row in runs], color=colour,
                          marker=marker, s=22, label=label)
         for row in runs:
             axis.annotate(f"{row['seconds']:.1f} s", (row["value"], 0.013), fontsize=7, ha="center", color=GREY)
         axis.set(xscale="log", yscale="log", xlabel=title, ylim=(0.01, 100))
+        if what == "k":
+            axis.set(xscale="linear", xticks=column(runs, "value"))
+            axis.annotate(f"grains: {best['seconds']:.0f} s", (0.5, 0.93), xycoords="axes fraction", fontsize=7, ha="center", color=GREY)
         axis.margins(x=0.15)
     axes[0].set_ylabel("difference to the reference [%]")
     axes[0].legend(fontsize=7)

@@ -52,8 +52,8 @@ inline hearth::dem::bed settled_layer() {
     return b;
 }
 
-/// Some of these layers on top of one another, settled again where they meet.
-inline hearth::dem::bed settled_layers(const hearth::dem::bed& one, int layers) {
+/// Some of these layers on top of one another, that fall until they meet.
+inline hearth::dem::bed stacked_layers(const hearth::dem::bed& one, int layers) {
     using namespace hearth::dem;
     const std::vector<sphere> spheres(one.spheres(), one.spheres() + one.size());
     std::vector<double> heights;
@@ -73,8 +73,29 @@ inline hearth::dem::bed settled_layers(const hearth::dem::bed& one, int layers) 
     }
     bed b = empty_cylinder();
     b.insert(balls);
+    return b;
+}
+
+/// The same after they have settled where they meet.
+inline hearth::dem::bed settled_layers(const hearth::dem::bed& one, int layers) {
+    hearth::dem::bed b = stacked_layers(one, layers);
     b.advance(9000);
     return b;
+}
+
+/// Root mean square speed [m/s].
+inline double speed_of(const hearth::dem::bed& b) {
+    double sum = 0;
+    for (hearth::dem::index i = 0; i < b.size(); ++i) sum += dot(b.motions()[i].velocity, b.motions()[i].velocity);
+    return std::sqrt(sum / b.size());
+}
+
+/// Share of the weight that floor and cylinder do not carry [-]: what is still falling, or braking.
+inline double weight_not_carried(const hearth::dem::bed& b) {
+    double weight = 0, carried = 0;
+    for (hearth::dem::index i = 0; i < b.size(); ++i) weight -= b.mass(i) * b.settings().gravity.z;
+    for (int w = 0; w < b.wall_count(); ++w) carried -= b.force_on_wall(w).z;
+    return std::fabs(1 - carried / weight);
 }
 
 }  // namespace bench

@@ -73,21 +73,25 @@ void parcels_alike(std::ostream& out) {
     }
 }
 
-/// The same vessel, 12 grains in radius, with as much of parcels of k: height, stress, heating from below, discharge.
+/// The same vessel, 12 grains in radius, with as much of grains or of parcels of k: height, stress, conductivity,
+/// heating from below, discharge.
 void parcels(std::ostream& out) {
     const double radius = 12 * iron::diameter, column = 44 * iron::diameter;
-    out << "k number mass height solid floor_stress time_5_s time_10_s discharge_error seconds\n";
+    out << "k number mass height solid floor_stress conductivity between_plates time_5_s time_10_s discharge_error "
+           "seconds\n";
     for (const int k : {1, 2, 3, 4}) {
         const double began = bench::cpu_seconds();
         plate_bed made(k, radius, column, plate_bed::settings(k, 0.3, 9.81), 34.0);
+        const conductivity_parts p = conductivity_between_plates(made, 800, 1.0);
         const std::vector<double> times = heating_times(made, 300, 1000, 20);
         const dem::index number = made.spheres.size();
         const double mass = number * made.spheres.mass(0);
         const double stress = -made.spheres.force_on_wall(0).z / (pi * radius * radius);
         const double worst = largest_arrears(made, 2);
         out << k << ' ' << number << ' ' << mass << ' ' << made.height << ' '
-            << mass / (iron::density * pi * radius * radius * made.height) << ' ' << stress << ' ' << times[0] << ' '
-            << times[1] << ' ' << worst << ' ' << bench::cpu_seconds() - began << '\n'
+            << mass / (iron::density * pi * radius * radius * made.height) << ' ' << stress << ' ' << p.core() << ' '
+            << p.between_plates << ' ' << times[0] << ' ' << times[1] << ' ' << worst << ' '
+            << bench::cpu_seconds() - began << '\n'
             << std::flush;
     }
 }

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <ctime>
 #include <vector>
+
+#include <sys/resource.h>
 
 #include <benchmark/benchmark.h>
 
@@ -20,6 +23,20 @@ inline void set_items(benchmark::State& state, double items_per_iteration) {
     state.counters["per_item"] =
         benchmark::Counter(items_per_iteration * static_cast<double>(state.iterations()),
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+/// Processor time of this process [s].
+inline double processor_seconds() {
+    std::timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Most memory that this process has had in use [bytes].
+inline double peak_bytes() {
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    return 1024.0 * static_cast<double>(used.ru_maxrss);
 }
 
 /// Bandwidth of a = b + s * c over arrays far larger than any cache [B/s], best of five, counted as STREAM does:

@@ -3,21 +3,15 @@
 
 #include <chrono>
 #include <cstring>
-#include <ctime>
 #include <thread>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 #include <mpi.h>
 
-namespace bench {
+#include "support/counters.hpp"
 
-/// Processor time of this rank [s].
-inline double processor_seconds() {
-    std::timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+namespace bench {
 
 /// Lets rank 0 work alone: the others sleep, and take no core from it.
 template <class Work>

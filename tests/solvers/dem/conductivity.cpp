@@ -43,7 +43,12 @@ TEST_CASE("Yagi and Kunii: iron spheres of 11 mm conduct within 25 % of their Eq
         CHECK(found.contact < found.film);
         CHECK(found.radiation > last.radiation);
         CHECK((found.radiation > found.film) == (kelvin > 700));
-        CHECK(found.between_plates < found.core());  // the plates resist
+        // The plates resist, but not more than if each saw the bed as a black wall does, and touched nothing.  The lid lies on
+        // few spheres; when only these saw it, it was 0.33 of the core's.  The core's own mean is good to 5 %.
+        const double sees = 4 * hearth::constants<double>::stefan_boltzmann() * hearth::closure::grey_exchange::bed_factor(0.95) *
+                            std::pow(kelvin, 3);
+        CHECK(found.between_plates < found.core());
+        CHECK(found.between_plates > 0.95 / (1 / found.core() + 2 / (sees * made.height)));
         last = found;
     }
 }
@@ -59,26 +64,41 @@ TEST_CASE("radiation alone: the bed's exchange factor within 3 % at the default 
     CHECK(std::fabs(found / full - 1) < 0.03);
 }
 
-TEST_CASE("parcels: a bed of them conducts, heats up and leaves as one of grains") {
-    // The same core in diameters, and the same stress on it: deeper by k, under gravity less by k; it heats k^2 times as long.
+TEST_CASE("parcels: a bed made k times as large conducts as its grains, heats up k^2 times as slowly, and leaves alike") {
+    // Dynamically similar, so that nothing but round-off and the solver's tolerance stands between the two.
     plate_bed& one = grains_between_plates();
     const conductivity_parts grains = conductivity_between_plates(one, 800, 1.0);
     const std::vector<double> alone = mixing_times(one, 300, 1000, 20);
     for (const int k : {2, 3, 4}) {
-        plate_bed made(k, 9 * k * iron::diameter, 30 * k * iron::diameter, 0.3, 9.81 / k);
-        CHECK(std::fabs(made.solid - one.solid) < 0.006);
+        CAPTURE(k);
+        plate_bed made(one, k);
         const conductivity_parts parcels = conductivity_between_plates(made, 800, 1.0);
+        CHECK(parcels.contact == doctest::Approx(grains.contact).epsilon(1e-6));
+        CHECK(parcels.film == doctest::Approx(grains.film).epsilon(1e-6));
+        CHECK(parcels.radiation == doctest::Approx(grains.radiation).epsilon(1e-6));
         const std::vector<double> times = mixing_times(made, 300, 1000, 20 * k * k);
-        MESSAGE("k = " << k << ": contacts " << parcels.contact / grains.contact << ", films " << parcels.film / grains.film
-                       << ", radiation " << parcels.radiation / grains.radiation << "; heating " << times[0] / alone[0] / (k * k)
-                       << ", " << times[1] / alone[1] / (k * k));
-        // Other packings of 2500 spheres: films and radiation differ by 1 %; contacts by 5 %, for few chains carry the load.
-        CHECK(std::fabs(parcels.contact / grains.contact - 1) < 0.10);
-        CHECK(std::fabs(parcels.film / grains.film - 1) < 0.03);
-        CHECK(std::fabs(parcels.radiation / grains.radiation - 1) < 0.03);
-        // As the square of the height, 1 % from packing to packing, over the conductivity, whose contacts are a twelfth.
-        for (std::size_t t = 0; t < 2; ++t) CHECK(std::fabs(times[t] / alone[t] / (k * k) - 1) < 0.05);
+        for (std::size_t t = 0; t < 2; ++t) CHECK(times[t] / (k * k) == doctest::Approx(alone[t]).epsilon(1e-6));
         const double layer = k * iron::diameter / made.height;
-        CHECK(largest_arrears(made, 2 * k) < 0.5 * layer);  // what passed and what is due part by half a layer
+        CHECK(largest_arrears(made, 0.5 * k, 0.25) < 0.5 * layer);  // what passed and what is due part by half a layer
+    }
+    CHECK(largest_arrears(one, 0.5, 0.25) < 0.5 * iron::diameter / one.height);
+}
+
+TEST_CASE("parcels: one vessel holds, conducts, heats and discharges the same mass of them whatever their size") {
+    // 12 grains in radius, poured anew for each k, under the same gravity.  Six parcels across at k = 4, in loose layers at the
+    // walls: beds are some per cent lighter for it.  The page beside benchmarks/dem/validation.cpp has the grains too.
+    const double radius = 12 * iron::diameter, column = 44 * iron::diameter;
+    std::vector<double> conductivity, time;
+    for (const int k : {2, 3, 4}) {
+        plate_bed made(k, radius, column, plate_bed::settings(k, 0.3, 9.81), 34.0);
+        CHECK(made.spheres.size() * made.spheres.mass(0) == doctest::Approx(34.0).epsilon(k * k * k * 5.5e-3 / 34.0));  // one parcel
+        conductivity.push_back(conductivity_between_plates(made, 800, 1.0).core());
+        time.push_back(heating_times(made, 300, 1000, 20)[0]);
+        MESSAGE("k = " << k << ": " << conductivity.back() << " W/(m K), a twentieth of the way after " << time.back() << " s");
+        // 2500 spheres scatter by 1 %, and so 96 by 5, twice of which is allowed, with the 3 to 4 % by which k = 4 is higher
+        // in the vessel; times go with the square of the height and against the conductivity.
+        CHECK(std::fabs(conductivity.back() / conductivity.front() - 1) < 0.14);
+        CHECK(std::fabs(time.back() / time.front() - 1) < 0.14);
+        CHECK(largest_arrears(made, 2) < 0.5 * k * iron::diameter / made.height);
     }
 }

@@ -115,6 +115,32 @@ TEST_CASE("a sliding ball begins to roll after 2 v / (7 mu g), at 5/7 of its spe
     }
 }
 
+TEST_CASE("sliding friction is mu N at any step; the paper's, whose spring ends with each slip, only at long ones") {
+    const double mu = 0.2, g = 9.81, r = 0.01, v0 = 0.5;
+    for (const double step : {1e-7, 2e-5}) {
+        for (const slip_rule rule : {slip_rule::shorten, slip_rule::paper}) {
+            CAPTURE(step);
+            bed_settings s = settings_of(step, 0.0, mu, {0, 0, -g});
+            s.contact.rule = rule;
+            bed b(s);
+            b.add_wall(floor_of(s));
+            const contact_law law = contact_law::with_wall(s.body, s.body, s.contact);
+            const double weight = 3580 * 4.0 / 3.0 * pi * r * r * r * g;
+            const double sunk = std::pow(weight / (law.normal_stiffness * std::sqrt(r)), 2.0 / 3.0);
+            b.insert({ball({0, 0, r - sunk}, {v0, 0, 0})});
+            b.advance(static_cast<int>(2e-3 / step));
+            const double found = (v0 - b.motions()[0].velocity.x) / (mu * g * b.time());
+            const double steps_to_slip = mu * weight / (law.tangential_stiffness * std::sqrt(r * sunk) * v0 * step);
+            if (rule == slip_rule::shorten || steps_to_slip < 1) {
+                CHECK(found == doctest::Approx(1).epsilon(0.01));  // but for the first slip
+            } else {  // a ramp from 0 to mu N over so many steps, again and again
+                CHECK(found > 0.49);
+                CHECK(found < 0.5 + 1 / steps_to_slip);
+            }
+        }
+    }
+}
+
 TEST_CASE("a ball spinning about the normal keeps its spin; rolling friction brings a rolling one to rest") {
     const double r = 0.01, g = 9.81, mu_r = 0.05, v0 = 0.1;
     bed_settings s = settings_of(1e-5, 0.3, 0.5, {0, 0, -g});

@@ -53,16 +53,20 @@ inline hearth::dem::feed feed_into(const zone& where, double density, double sma
     return hearth::dem::feed(f, hearth::dem::size_distribution(sizes));
 }
 
-/// Runs until the mean kinetic energy of a particle is below that of a fall by a thousandth of its radius.
+/// The mean kinetic energy of a particle is below that of a fall by a thousandth of its radius.
+inline bool at_rest(const bed& b) {
+    double energy = 0, scale = 0;
+    for (hearth::dem::index i = 0; i < b.size(); ++i) {
+        energy += 0.5 * b.mass(i) * dot(b.motions()[i].velocity, b.motions()[i].velocity);
+        scale += b.mass(i) * norm(b.settings().gravity) * b.spheres()[i].radius;
+    }
+    return energy < 1e-3 * scale;
+}
+
 inline void settle(bed& b, int most_steps) {
     for (int k = 0; k < most_steps; k += 500) {
         b.advance(500);
-        double energy = 0, scale = 0;
-        for (hearth::dem::index i = 0; i < b.size(); ++i) {
-            energy += 0.5 * b.mass(i) * dot(b.motions()[i].velocity, b.motions()[i].velocity);
-            scale += b.mass(i) * norm(b.settings().gravity) * b.spheres()[i].radius;
-        }
-        if (energy < 1e-3 * scale) return;
+        if (at_rest(b)) return;
     }
 }
 

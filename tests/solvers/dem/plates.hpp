@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <hearth/closure/feng_han.hpp>
+#include <hearth/closure/grey_exchange.hpp>
 #include <hearth/closure/hertz.hpp>
 #include <hearth/closure/wall_view.hpp>
 #include <hearth/core/constants.hpp>
@@ -64,10 +65,7 @@ struct plate_bed {
     plate_bed(int factor, double radius_, double column, const bed_settings& s, double most = 1e300)
         : spheres(s), parcel_factor(factor), radius(radius_) {
         const double d = factor * iron::diameter;
-        bed_settings smooth = spheres.settings();
-        smooth.contact.friction = 0;
-        spheres.add_wall(wall_of(smooth, hearth::dem::shape::plane({0, 0, 0}, {0, 0, 1}), 0));
-        spheres.add_wall(wall_of(smooth, hearth::dem::shape::cylinder({0, 0, -1}, {0, 0, 10}, radius), 1));
+        stand_in_tube();
         feed_into({{0, 0, 0}, radius, column}, iron::density, d, d).fill(spheres);
         std::vector<std::int32_t> spare;
         for (hearth::dem::index i = 0; i < spheres.size(); ++i)
@@ -76,7 +74,7 @@ struct plate_bed {
         settle(spheres, 60000);
         double top = 0;
         for (hearth::dem::index i = 0; i < spheres.size(); ++i) top = std::fmax(top, spheres.spheres()[i].centre.z + d / 2);
-        const int lid = spheres.add_wall(wall_of(smooth, hearth::dem::shape::plane({0, 0, top + 0.01 * d}, {0, 0, -1}), 2));
+        const int lid = add_lid(top + 0.01 * d);
         const double pace = 0.05 * factor;  // [m/s]
         const double pressed = 1000 * hearth::constants<double>::pi() * radius * radius;  // by 1 kPa
         spheres.set_motion(lid, {{0, 0, -pace}, {}, {}});
@@ -92,6 +90,24 @@ struct plate_bed {
         solid = solid_fraction(spheres, core);
     }
 
+    /// A bed of grains made k times as large, of parcels under gravity less by k: dynamically similar, with the same speeds,
+    /// stresses and overlaps over diameters.
+    plate_bed(const plate_bed& grains, int k)
+        : spheres(settings(k, grains.spheres.settings().contact.friction, -grains.spheres.settings().gravity.z / k)),
+          parcel_factor(k), radius(k * grains.radius), height(k * grains.height),
+          core{double(k) * grains.core.base, k * grains.core.radius, k * grains.core.height}, solid(grains.solid) {
+        stand_in_tube();
+        add_lid(height);
+        std::vector<hearth::dem::particle> parcels(static_cast<std::size_t>(grains.spheres.size()));
+        for (hearth::dem::index i = 0; i < grains.spheres.size(); ++i) {
+            hearth::dem::particle& p = parcels[static_cast<std::size_t>(i)];
+            p.position = double(k) * grains.spheres.spheres()[i].centre;
+            p.radius = k * grains.spheres.spheres()[i].radius;
+            p.density = iron::density;
+        }
+        spheres.insert(parcels);
+    }
+
     static bed_settings settings(int factor, double friction, double gravity) {
         bed_settings s;
         s.gravity = {0, 0, -gravity};
@@ -101,6 +117,18 @@ struct plate_bed {
         s.contact.damping = 0.5;
         return s;
     }
+
+  private:
+    int add_smooth(std::vector<hearth::dem::facet> facets, int patch) {
+        bed_settings smooth = spheres.settings();
+        smooth.contact.friction = 0;
+        return spheres.add_wall(wall_of(smooth, std::move(facets), patch));
+    }
+    void stand_in_tube() {
+        add_smooth(hearth::dem::shape::plane({0, 0, 0}, {0, 0, 1}), 0);
+        add_smooth(hearth::dem::shape::cylinder({0, 0, -1}, {0, 0, 10}, radius), 1);
+    }
+    int add_lid(double level) { return add_smooth(hearth::dem::shape::plane({0, 0, level}, {0, 0, -1}), 2); }
 };
 
 /// Effective conductivity of the core, and the parts of contacts, gas films and radiation in it [W/(m K)].
@@ -111,6 +139,17 @@ struct conductivity_parts {
 };
 
 enum class heat_paths { all, radiation };
+
+/// A plate sees nothing but the bed, however few spheres touch it: its exchange areas add up to its own.
+template <class Links>
+void close_view(const plate_bed& made, int plate, double emissivity, Links& links) {
+    double seen = 0;
+    for (const auto& w : links.walls) seen += w.patch == plate ? w.link.radiation : 0.0;
+    const double whole = hearth::constants<double>::stefan_boltzmann() * hearth::closure::grey_exchange::bed_factor(emissivity) *
+                         hearth::constants<double>::pi() * made.radius * made.radius;
+    for (auto& w : links.walls)
+        if (w.patch == plate) w.link.radiation *= whole / seen;
+}
 
 /// Contacts, films and radiation between particles and to the plates, for gas at `kelvin`; the tube is insulated.
 inline auto heat_links(plate_bed& made, double kelvin, double emissivity, double cutoff, heat_paths paths) {
@@ -134,7 +173,7 @@ inline auto heat_links(plate_bed& made, double kelvin, double emissivity, double
     const double true_over_soft = std::pow(b.settings().body.youngs_modulus / iron::youngs_modulus, 2.0 / 3.0);
     const scene heated{conduction{closure::zhang::constriction{}, materials},
                        film_conduction{closure::gas_film{}, true_over_soft},
-                       hearth::radiation{closure::feng_han::monte_carlo_fit{fitted}, p, closure::wall_view::closed(fitted)}};
+                       hearth::radiation{closure::feng_han::monte_carlo_fit{fitted}, p, closure::wall_view::bed(fitted)}};
     auto links = heated.links(warm, warm, gas);
     b.for_each_near_wall(1.0, [&](dem::index i, int w, double distance) {  // films at walls, which the term leaves out
         const double r = b.spheres()[i].radius, gap = distance - r;
@@ -143,6 +182,7 @@ inline auto heat_links(plate_bed& made, double kelvin, double emissivity, double
             iron::gas_conductivity(kelvin), 1 - made.solid});
         if (film > 0) links.walls.push_back({i, b.wall_at(w).patch, {film, 0.0}});
     });
+    for (const int plate : {0, 2}) close_view(made, plate, emissivity, links);
     dem::scale_parcels(links, made.parcel_factor);
     if (paths == heat_paths::radiation) {
         for (auto& pair : links.pairs) pair.link.conductance = 0;
@@ -263,12 +303,12 @@ inline std::vector<double> mixing_times(plate_bed& made, double cold, double hot
     return times;
 }
 
-/// Driven discharge of half the bed in so many seconds: the most that was due and had not left, over the bed's mass.
-inline double largest_arrears(plate_bed& made, double seconds) {
+/// Driven discharge of a share of the bed in so many seconds: the most that was due and had not left, over the bed's mass.
+inline double largest_arrears(plate_bed& made, double seconds, double share = 0.5) {
     bed& b = made.spheres;
     double mass = 0, worst = 0;
     for (hearth::dem::index i = 0; i < b.size(); ++i) mass += b.mass(i);
-    hearth::dem::outflow sink({0, 0, 0.5 * mass / seconds});
+    hearth::dem::outflow sink({0, 0, share * mass / seconds});
     b.set_wall_open(2, true);
     const double start = b.time();
     while (b.time() - start < seconds) {
