@@ -28,8 +28,8 @@ const bed& settled(double friction) {
     bed_settings s = soft_settings(friction, damping_of_restitution(0.3));
     s.body.youngs_modulus = 1.5e8;  // less than 0.1 % overlap at rest
     s.step = 4e-5;
-    bed b = tube_on_floor(s, 7 * d, 1);
-    feed source = feed_into({{0, 0, 0}, 7 * d, 31 * d}, 3580, d, d);
+    bed b = tube_on_floor(s, 7 * d, 10 * (12 * d));
+    feed source = feed_into({{0, 0, 0}, 7 * d, 2.6 * (12 * d)}, 3580, d, d);
     source.fill(b);
     settle(b, 60000);
     return made.emplace(friction, std::move(b)).first->second;
@@ -167,12 +167,12 @@ TEST_CASE("angle of repose: friction holds a slope, rolling friction a steeper o
         b.insert(balls);
         settle(b, 20000);
         b.set_wall_open(gate, true);
-        std::vector<std::int32_t> gone(1);
-        for (int k = 0; k < 40 && !(gone.empty() && at_rest(b)); ++k) {
+        for (int k = 0, quiet = 0; k < 40 && quiet < 6; ++k) {  // the last that roll down do so one by one
             b.advance(500);
-            gone.clear();
+            std::vector<std::int32_t> gone;
             for (std::int32_t i = 0; i < b.size(); ++i)
                 if (b.spheres()[i].centre.x > length) gone.push_back(i);
+            quiet = gone.empty() && at_rest(b) ? quiet + 1 : 0;
             b.remove(gone);
         }
         // Highest particle of each slice, away from the closed end and the toe; least squares.
