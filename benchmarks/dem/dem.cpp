@@ -4,7 +4,7 @@
 // beside it LAMMPS and LIGGGHTS with the same bed, contact law, step and skin, where they are installed;
 // rest_speed is what particles at rest still have, root mean square over sqrt(g d).  And the error of a bounce over the steps
 // spent on it.  HEARTH_LARGE in the environment adds the bed of 1.8 million, for itself with --benchmark_filter=1800000: some
-// ten minutes, with its build, steps and time to settle, and the peak memory of the process (peak_bytes).
+// twenty minutes, with its build, steps and time to settle, and the peak memory of the process (peak_bytes).
 #include <hearth/dem/thermal_bed.hpp>
 
 #include <algorithm>
