@@ -14,15 +14,15 @@ using namespace hearth::gas;
 /// A medium that rests, without friction, with the fields that a flow_medium only looks into.
 struct resting_medium : flow_medium {
     resting_medium(const mesh& m, double rho)
-        : densities(m.cells(), rho), voids(m.cells(), 1.0), forces(m.cells()), rest(m.cells()) {
+        : densities(m.cells(), rho), voids(m.cells(), 1.0), viscosities(m.cells(), 0.0), forces(m.cells()) {
         density = densities;
         void_fraction = voids;
         momentum_source = forces;
-        particle_velocity = rest;
-        for (auto* field : {&compressibility, &viscosity, &exchange, &mass_source}) field->assign(m.cells(), 0.0);
+        viscosity = viscosities;
+        for (auto* field : {&exchange, &mass_source}) field->assign(m.cells(), 0.0);
     }
-    array<double> densities, voids;
-    array<vector3> forces, rest;
+    array<double> densities, voids, viscosities;
+    array<vector3> forces;
 };
 
 inline flow_boundary slip_everywhere(const mesh& m) {
@@ -59,7 +59,7 @@ inline errors solve_flow(const mesh& m, double reynolds) {
         const vector3& x = m.centre[c];
         const double e = void_fraction(x);
         medium.voids[c] = e;
-        medium.viscosity[c] = viscosity;
+        medium.viscosities[c] = viscosity;
         medium.exchange[c] = drag;
         for (int k = 0; k < 2; ++k) {
             const function u = [&](const vector3& y) { return w[k](y) / void_fraction(y); };

@@ -89,6 +89,14 @@ TEST_CASE("mesh: find_cell finds every centre, points near corners, and nothing 
     CHECK(m.find_cell({0.6, 0, 0.5}) == -1);
     CHECK(m.find_cell({0, 0, -0.01}) == -1);
     CHECK(m.find_cell({std::nan(""), 0, 0}) == -1);
+
+    mesh early = m;  // a search that exists needs no points, a new one does
+    early.release_shape();
+    CHECK(early.find_cell(m.centre[7]) == 7);
+    mesh never(box(graded(1, 2), graded(1, 2), graded(1, 2)));
+    never.release_shape();
+    CHECK_THROWS_AS(never.find_cell({0.5, 0.5, 0.5}), std::logic_error);
+    CHECK_THROWS_AS(mesh(never, array<int>(8, 0), 0), std::logic_error);
 }
 
 TEST_CASE("mesh: renumbering keeps geometry and patches and narrows the band") {

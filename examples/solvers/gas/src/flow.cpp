@@ -25,10 +25,8 @@ flow::flow(const mesh& m, const pattern& p, const gradient& g, const parallel& r
       previous_(work.third),
       inverse_void_(work.scalar),
       boundary_velocity_(m.boundary_faces()),
-      coupling_(m.cells()),
-      total_(m.cells()),
+      resistance_(m.cells()),
       relax_(m.cells()),
-      inertia_(m.cells()),
       outlet_conductance_(m.boundary_faces()) {}
 
 flow_state flow::make_state() const {
@@ -93,9 +91,14 @@ void flow::find_pressure_slope(const flow_state& state, const flow_medium& mediu
                                const flow_settings& settings) {
     const mesh& m = *mesh_;
     const int internal = m.internal_faces();
-    last_slope_.swap(slope_);
+    if (slope_.empty()) slope_ = state.pressure_gradient;
+    array<double>& to_boundary = outlet_conductance_;  // free until the pressure's equation is made
+    for (int f = internal; f < m.faces(); ++f) {
+        const int p = m.owner[f], b = f - internal;
+        to_boundary[b] = boundary.type[b] == flow_boundary::kind::outlet ? boundary.pressure[b] - state.pressure[p]
+                                                                         : dot(slope_[p], m.face_centre[f] - m.centre[p]);
+    }
     slope_.assign(m.cells(), {});
-    if (last_slope_.empty()) last_slope_ = state.pressure_gradient;
     const double least = std::max(settings.resistance_floor, 1e-30);
     const auto resistance = [&](int c) {  // of the bed to the mass flux [1/s]
         const double e = medium.void_fraction[c];
@@ -113,11 +116,8 @@ void flow::find_pressure_slope(const flow_state& state, const flow_medium& mediu
         slope_[q] += (held_q + hq * rest) * along;
     }
     for (int f = internal; f < m.faces(); ++f) {
-        const int p = m.owner[f], b = f - internal;
-        const vector3 d = m.face_centre[f] - m.centre[p];
-        const double difference = boundary.type[b] == flow_boundary::kind::outlet ? boundary.pressure[b] - state.pressure[p]
-                                                                                   : dot(last_slope_[p], d);
-        slope_[p] += difference / dot(d, d) * d;
+        const vector3 d = m.face_centre[f] - m.centre[m.owner[f]];
+        slope_[m.owner[f]] += to_boundary[f - internal] / dot(d, d) * d;
     }
     gradients_->solve(slope_.data());
     ranks_->gather(&slope_[0].x, 3);
@@ -152,7 +152,7 @@ void flow::assemble_pressure(flow_state& state, const flow_medium& medium, const
     struct half { double stiffness, relax, old; vector3 drive; };
     const auto half_way = [&](int c, double part) {
         const double per_density = part / medium.density[c];
-        return half{(total_[c] + relax_[c] + inertia_[c]) * per_density, relax_[c] * per_density,
+        return half{(resistance_[c] + relax_[c] + step_inertia(c, medium, history)) * per_density, relax_[c] * per_density,
                     part * per_step / medium.void_fraction[c], part * drive_[c]};
     };
     for (int f = 0; f < m.faces(); ++f) {
@@ -244,9 +244,9 @@ void flow::correct(flow_state& state, const flow_medium& medium, const flow_hist
     for (int c = 0; c < n; ++c) {
         const vector3 w = 1 / (m.volume[c] * medium.density[c]) * momentum[c];
         state.velocity[c] = w;
-        vector3 rest = drive_[c] - (total_[c] + relax_[c] + inertia_[c]) * w + relax_[c] * previous_[c];
-        if (history.step > 0)
-            rest += inertia_[c] * medium.void_fraction[c] / history.void_fraction[c] * history.velocity[c];
+        const double kept = step_inertia(c, medium, history);
+        vector3 rest = drive_[c] - (resistance_[c] + relax_[c] + kept) * w + relax_[c] * previous_[c];
+        if (kept > 0) rest += kept * medium.void_fraction[c] / history.void_fraction[c] * history.velocity[c];
         vector3& slope = state.pressure_gradient[c];
         slope = skewed ? 0.5 * (slope + rest) : rest;
     }

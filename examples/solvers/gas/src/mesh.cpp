@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace hearth::gas {
 
@@ -26,7 +25,6 @@ mesh::mesh(polyhedra shape_) : patches(shape_.patches), shape(std::move(shape_))
     compute_geometry();
     check_geometry();
     compute_weights();
-    build_bins();
 }
 
 void mesh::check_topology() const {
@@ -172,92 +170,6 @@ double mesh::area_of(const patch& p) const {
     double sum = 0;
     for (int f = p.first; f < p.first + p.count; ++f) sum += norm(area[f]);
     return sum;
-}
-
-void mesh::build_bins() {
-    const int n = owned_cells_;
-    cell_face_first_.assign(n + 1, 0);
-    const auto for_each_owned_side = [&](auto visit) {
-        for (int f = 0; f < faces(); ++f) {
-            if (owner[f] < n) visit(owner[f], f);
-            if (f < internal_faces() && neighbour[f] < n) visit(neighbour[f], f);
-        }
-    };
-    for_each_owned_side([&](int c, int) { ++cell_face_first_[c + 1]; });
-    for (int c = 0; c < n; ++c) cell_face_first_[c + 1] += cell_face_first_[c];
-    cell_faces_.resize(cell_face_first_[n]);
-    array<int> next(cell_face_first_.begin(), cell_face_first_.end() - 1);
-    const double infinite = std::numeric_limits<double>::infinity();
-    array<vector3> low(n, {infinite, infinite, infinite}), high(n, {-infinite, -infinite, -infinite});
-    for_each_owned_side([&](int c, int f) {
-        cell_faces_[next[c]++] = f;
-        for (int i = shape.face_first[f]; i < shape.face_first[f + 1]; ++i)
-            for (int k = 0; k < 3; ++k) {
-                low[c][k] = std::min(low[c][k], shape.points[shape.face_points[i]][k]);
-                high[c][k] = std::max(high[c][k], shape.points[shape.face_points[i]][k]);
-            }
-    });
-    vector3 top = high[0];
-    low_ = low[0];
-    for (int c = 0; c < n; ++c)
-        for (int k = 0; k < 3; ++k) {
-            low_[k] = std::min(low_[k], low[c][k]);
-            top[k] = std::max(top[k], high[c][k]);
-        }
-    // Twice as wide as a cell, and boxes that only touch a bin stay out of it (find_cell forgives 1e-6 cell sizes): few
-    // cells stand in several bins.
-    const double edge = 2 * std::cbrt((top.x - low_.x) * (top.y - low_.y) * (top.z - low_.z) / n);
-    for (int k = 0; k < 3; ++k) {
-        bins_[k] = std::max(1, std::min(1024, static_cast<int>((top[k] - low_[k]) / edge)));
-        bin_size_[k] = (top[k] - low_[k]) / bins_[k];
-    }
-    const auto bin = [&](double x, int k) {
-        return std::max(0, std::min(bins_[k] - 1, static_cast<int>((x - low_[k]) / bin_size_[k])));
-    };
-    const auto for_each_bin = [&](auto visit) {
-        for (int c = 0; c < n; ++c) {
-            const double slack = 1e-7 * std::cbrt(volume[c]);
-            const vector3 margin{slack, slack, slack}, from = low[c] + margin, to = high[c] - margin;
-            for (int k = bin(from.z, 2); k <= bin(to.z, 2); ++k)
-                for (int j = bin(from.y, 1); j <= bin(to.y, 1); ++j)
-                    for (int i = bin(from.x, 0); i <= bin(to.x, 0); ++i)
-                        visit(i + bins_[0] * (j + bins_[1] * k), c);
-        }
-    };
-    const int bin_count = bins_[0] * bins_[1] * bins_[2];
-    bin_first_.assign(bin_count + 1, 0);
-    for_each_bin([&](int b, int) { ++bin_first_[b + 1]; });
-    for (int b = 0; b < bin_count; ++b) bin_first_[b + 1] += bin_first_[b];
-    bin_cells_.resize(bin_first_[bin_count]);
-    next.assign(bin_first_.begin(), bin_first_.end() - 1);
-    for_each_bin([&](int b, int c) { bin_cells_[next[b]++] = c; });
-}
-
-int mesh::find_cell(const vector3& point) const {
-    int index[3];
-    for (int k = 0; k < 3; ++k) {
-        const double at = (point[k] - low_[k]) / bin_size_[k];
-        if (!(at > -1e-9 && at < bins_[k] + 1e-9)) return -1;
-        index[k] = std::max(0, std::min(bins_[k] - 1, static_cast<int>(at)));
-    }
-    const int b = index[0] + bins_[0] * (index[1] + bins_[1] * index[2]);
-    int best = -1;
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = bin_first_[b]; i < bin_first_[b + 1]; ++i) {
-        const int c = bin_cells_[i];
-        double outside = -least;  // greatest distance beyond a face, in cell sizes
-        for (int j = cell_face_first_[c]; j < cell_face_first_[c + 1]; ++j) {
-            const int f = cell_faces_[j];
-            const double sign = owner[f] == c ? 1 : -1;
-            outside = std::max(outside, sign * dot(area[f], point - face_centre[f]) / norm(area[f]));
-        }
-        outside /= std::cbrt(volume[c]);
-        if (outside < least) {
-            least = outside;
-            best = c;
-        }
-    }
-    return least < 1e-6 ? best : -1;  // warped faces leave gaps of that order between their planes
 }
 
 }  // namespace hearth::gas

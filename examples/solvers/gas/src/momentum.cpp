@@ -16,6 +16,12 @@ vector3 transposed(const vector3* g, const vector3& s) { return s.x * g[0] + s.y
 
 }  // namespace
 
+double flow::step_inertia(int c, const flow_medium& medium, const flow_history& history) {
+    if (!(history.step > 0)) return 0;
+    const double e = medium.void_fraction[c];
+    return history.density[c] * history.void_fraction[c] / (e * e * history.step);
+}
+
 void flow::assemble_momentum(const flow_state& state, const flow_medium& medium, const flow_boundary& boundary,
                              const flow_history& history, const flow_settings& settings) {
     const mesh& m = *mesh_;
@@ -23,8 +29,7 @@ void flow::assemble_momentum(const flow_state& state, const flow_medium& medium,
     matrix& momentum = work_->a;
     for (int c = 0; c < m.cells(); ++c) inverse_void_[c] = 1 / medium.void_fraction[c];
     std::fill(source_.begin(), source_.end(), vector3{});
-    std::fill(coupling_.begin(), coupling_.end(), 0.0);
-    std::fill(total_.begin(), total_.end(), 0.0);
+    std::fill(resistance_.begin(), resistance_.end(), 0.0);
     momentum.clear();
     if (settings.inertia) add_convection_and_diffusion(state, medium, boundary);
 
@@ -32,18 +37,19 @@ void flow::assemble_momentum(const flow_state& state, const flow_medium& medium,
         const double v = m.volume[c], iv = inverse_void_[c];
         double& diagonal = momentum.diagonal[c];
         const double drag = medium.exchange[c] * iv * iv * v;
-        diagonal += drag + std::max(medium.mass_source[c], 0.0) * iv * iv;
-        source_[c] += iv * medium.momentum_source[c] + v * medium.density[c] * medium.gravity +
-                      drag * medium.void_fraction[c] * medium.particle_velocity[c];
-        if (!settings.inertia) diagonal = std::max(diagonal, settings.resistance_floor * v);
-        total_[c] = diagonal;
-        inertia_[c] = 0;
+        const double own = drag + std::max(medium.mass_source[c], 0.0) * iv * iv;
+        diagonal += own;
+        resistance_[c] += own;
+        source_[c] += v * medium.density[c] * medium.gravity;
+        if (!medium.momentum_source.empty()) source_[c] += iv * medium.momentum_source[c];
+        if (!medium.particle_velocity.empty())
+            source_[c] += drag * medium.void_fraction[c] * medium.particle_velocity[c];
+        if (!settings.inertia) resistance_[c] = diagonal = std::max(diagonal, settings.resistance_floor * v);
         relax_[c] = drag;  // against changes a quadratic law resists twice: Newton's step, be flow or pressure given
         if (!settings.inertia) continue;
         relax_[c] = std::max(relax_[c] + (1 - settings.relaxation) / settings.relaxation * (diagonal - drag),
                              settings.resistance_floor * v);
-        if (history.step > 0) inertia_[c] = v * history.density[c] * history.void_fraction[c] * iv * iv / history.step;
-        diagonal += relax_[c] + inertia_[c];
+        diagonal += relax_[c] + v * step_inertia(c, medium, history);
     }
 }
 
@@ -102,17 +108,15 @@ void flow::add_convection_and_diffusion(const flow_state& state, const flow_medi
         }
         source_[p] += ip * force;
         momentum.diagonal[p] += into_p * ip;
-        coupling_[p] += into_p * ip;
         momentum.entry[pattern_->owner_entry[f]] = -into_p * ip;
         // w.grad u = div(F w / e_f) - (w / e_P) div F: upwind differences, and what a change of e does to w (Bernoulli)
         const double squeeze_p = flux * (inverse_void - ip) * ip, squeeze_q = -flux * (inverse_void - iq) * iq;
-        total_[p] += squeeze_p;
+        resistance_[p] += squeeze_p;
         if (q < m.owned_cells()) {
             source_[q] -= iq * force;
             momentum.diagonal[q] += into_q * iq;
-            coupling_[q] += into_q * iq;
             momentum.entry[pattern_->neighbour_entry[f]] = -into_q * iq;
-            total_[q] += squeeze_q;
+            resistance_[q] += squeeze_q;
         }
     }
     for (int f = internal; f < m.faces(); ++f) {
@@ -122,7 +126,6 @@ void flow::add_convection_and_diffusion(const flow_state& state, const flow_medi
         double into = std::max(-state.mass_flux[f], 0.0) * inverse_void_[p];
         if (fixed) into += boundary.wall_viscosity[b] * m.conductance[f];
         momentum.diagonal[p] += into * inverse_void_[p];
-        coupling_[p] += into * inverse_void_[p];
         // what comes back through an outlet was at rest outside; carried in with the cell's momentum it would grow
         vector3 force = fixed ? into * boundary_velocity_[b] : vector3{};
         if (boundary.type[b] == kind::inlet && state.mass_flux[f] > 0)  // suction with a given velocity
@@ -141,8 +144,11 @@ void flow::add_convection_and_diffusion(const flow_state& state, const flow_medi
     }
     for (int c = 0; c < m.owned_cells(); ++c) {
         // accelerating into a narrower void would take from the diagonal: then it is a force
-        if (total_[c] > 0) momentum.diagonal[c] += total_[c];
-        else source_[c] -= total_[c] * state.velocity[c];
+        if (resistance_[c] < 0) {
+            source_[c] -= resistance_[c] * state.velocity[c];
+            resistance_[c] = 0;
+        }
+        momentum.diagonal[c] += resistance_[c];
     }
 }
 
@@ -159,7 +165,7 @@ void flow::predict(flow_state& state, const flow_medium& medium, const flow_hist
         array<vector3>& right = drive_;
         for (int c = 0; c < n; ++c) {
             right[c] = source_[c] - m.volume[c] * state.pressure_gradient[c] + relax_[c] * state.velocity[c];
-            if (history.step > 0) right[c] += inertia_[c] * before(c);
+            if (history.step > 0) right[c] += m.volume[c] * step_inertia(c, medium, history) * before(c);
         }
         for (int i = 0; i < settings.momentum_sweeps; ++i) {
             gauss_seidel<3>(momentum, &right[0].x, &state.velocity[0].x, i % 2 == 1);
@@ -168,17 +174,19 @@ void flow::predict(flow_state& state, const flow_medium& medium, const flow_hist
     }
     // What drives each cell with its own share of the couplings taken off (SIMPLEC), per volume from here on.
     for (int c = 0; c < n; ++c) {
-        vector3 force = source_[c] - coupling_[c] * state.velocity[c];
+        const double v = m.volume[c];
+        const double coupling = settings.inertia ? momentum.diagonal[c] - resistance_[c] - relax_[c] -
+                                                       v * step_inertia(c, medium, history)
+                                                 : 0;
+        vector3 force = source_[c] - coupling * state.velocity[c];
         for (int i = pattern_->first[c]; i < pattern_->first[c + 1]; ++i)
             force -= momentum.entry[i] * state.velocity[pattern_->column[i]];
-        const double per_volume = 1 / m.volume[c];
-        drive_[c] = per_volume * force;
-        total_[c] = (total_[c] - coupling_[c]) * per_volume;
-        relax_[c] *= per_volume;
-        inertia_[c] *= per_volume;
+        drive_[c] = 1 / v * force;
+        resistance_[c] *= 1 / v;
+        relax_[c] *= 1 / v;
     }
     ranks_->gather(&drive_[0].x, 3);
-    for (auto* field : {&total_, &relax_, &inertia_}) ranks_->gather(field->data(), 1);
+    for (auto* field : {&resistance_, &relax_}) ranks_->gather(field->data(), 1);
 }
 
 }  // namespace hearth::gas

@@ -61,6 +61,7 @@ array<shared_face> faces_of_share(const mesh& whole, const array<int>& rank_of_c
 }
 
 mesh::mesh(const mesh& whole, const array<int>& rank_of_cell, int rank) : largest_angle(whole.largest_angle) {
+    if (whole.shape.points.empty()) throw std::logic_error("hearth::gas: mesh: a share after release_shape: the points are gone");
     const int internal = whole.internal_faces();
     array<int> local(whole.owned_cells(), -1);
     for (int c = 0; c < whole.owned_cells(); ++c)
@@ -118,7 +119,10 @@ mesh::mesh(const mesh& whole, const array<int>& rank_of_cell, int rank) : larges
     const double angle = largest_angle;  // of the whole mesh: all ranks correct in the same way
     compute_weights();
     largest_angle = angle;
-    build_bins();
+    for (auto* vectors : {&shape.points, &area, &face_centre, &centre}) vectors->shrink_to_fit();
+    for (auto* numbers : {&shape.face_first, &shape.face_points, &owner, &neighbour}) numbers->shrink_to_fit();
+    volume.shrink_to_fit();
+    global.shrink_to_fit();
 }
 
 }  // namespace hearth::gas

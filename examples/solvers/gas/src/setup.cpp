@@ -38,12 +38,10 @@ solver::solver(const mesh& m, std::shared_ptr<const gas_model> model, solver_set
     require(settings.energy_relaxation > 0 && settings.energy_relaxation <= 1, "energy_relaxation must lie in (0, 1]");
     bed.void_fraction.assign(n, 1.0);
     bed.diameter.assign(n, 0.01);
-    bed.particle_velocity.assign(n, {});
     bed.heat_conductance.assign(n, 0.0);
     bed.heat_source.assign(n, 0.0);
     sources.species.assign(n * species_, 0.0);
     sources.enthalpy.assign(n, 0.0);
-    sources.force.assign(n, {});
     boundary_.type.assign(b, flow_boundary::kind::wall);
     for (auto* field : {&boundary_.mass_flux, &boundary_.pressure, &boundary_.wall_viscosity,
                         &scalar_boundary_.enthalpy, &scalar_boundary_.fixed, &scalar_boundary_.kinetic,
@@ -53,7 +51,6 @@ solver::solver(const mesh& m, std::shared_ptr<const gas_model> model, solver_set
     boundary_.velocity.assign(b, {});
     boundary_fraction_.assign(species_, array<double>(b, 0.0));
     free_.assign(n, 1);
-    medium_.compressibility.assign(n, 0.0);
     medium_.exchange.assign(n, 0.0);
     medium_.mass_source.assign(n, 0.0);
 }
@@ -124,6 +121,7 @@ void solver::add(const nozzle& n) {
     for (int k = 0; k < species_; ++k)
         sources.species[species_ * n.cell + k] += n.mass_flow * n.gas.mass_fraction[k];
     sources.enthalpy[n.cell] += n.mass_flow * model_->enthalpy(n.gas.temperature, n.gas.mass_fraction.data());
+    if (sources.force.empty()) sources.force.assign(mesh_->cells(), {});
     sources.force[n.cell] += n.mass_flow * n.velocity;
 }
 
@@ -146,10 +144,10 @@ void solver::initialise(double temperature, const array<double>& y) {
 
 void solver::check_bed() const {
     const int n = mesh_->owned_cells();
-    for (const int size : {bed.void_fraction.count(), bed.diameter.count(), bed.particle_velocity.count(),
-                           bed.heat_conductance.count(), bed.heat_source.count(), sources.enthalpy.count(),
-                           sources.force.count(), sources.species.count() / species_,
-                           bed.exchange.empty() ? n : bed.exchange.count()})
+    const auto size_or_none = [n](const auto& field) { return field.empty() ? n : field.count(); };
+    for (const int size : {bed.void_fraction.count(), bed.diameter.count(), bed.heat_conductance.count(),
+                           bed.heat_source.count(), sources.enthalpy.count(), sources.species.count() / species_,
+                           size_or_none(bed.particle_velocity), size_or_none(sources.force), size_or_none(bed.exchange)})
         require(size >= n, "a field of the bed or of the sources holds " + std::to_string(size) + " cells, expected " +
                                std::to_string(n));
     // Looked at in every iteration: only what is wrong is put into words.
@@ -181,10 +179,13 @@ void solver::take_bed() {
         throw std::invalid_argument(wrong.empty() ? "hearth::gas: another rank's bed is not allowed" : wrong);
     bed.void_fraction.resize(mesh_->cells());
     bed.diameter.resize(mesh_->cells());
-    bed.particle_velocity.resize(mesh_->cells());
     ranks_->gather(bed.void_fraction.data(), 1);
     ranks_->gather(bed.diameter.data(), 1);
-    ranks_->gather(&bed.particle_velocity[0].x, 3);
+    // on one rank with particles that move, on another without: both gather
+    if (ranks_->max(bed.particle_velocity.empty() ? 0 : 1) > 0) {
+        bed.particle_velocity.resize(mesh_->cells());
+        ranks_->gather(&bed.particle_velocity[0].x, 3);
+    }
 }
 
 double solver::mass_flow(const std::string& name) const {

@@ -18,16 +18,17 @@ void solver::update_properties() {
     update_density();
 }
 
+/// The iteration may pass through pressures below vacuum; the density stays that of a tenth of the reference.
+double solver::density_pressure(int cell) const { return std::max(absolute_pressure(cell), 0.1 * settings.reference_pressure); }
+
 /// Returns the number of cells of all ranks whose pressure was too low.
 std::int64_t solver::update_density() {
-    const double least = 0.1 * settings.reference_pressure;
     double floored = 0;
     for (int c = 0; c < mesh_->cells(); ++c) {
-        // The iteration may pass through pressures below vacuum; the density stays that of a tenth of the reference.
-        const double p = std::max(absolute_pressure(c), least);
-        floored += c < mesh_->owned_cells() && absolute_pressure(c) < least;
+        const double p = density_pressure(c);
+        floored += c < mesh_->owned_cells() && absolute_pressure(c) < p;
         gas.density[c] = model_->density(p, gas.temperature[c], composition(c));
-        medium_.compressibility[c] = model_->compressibility(p, gas.density[c]);
+        if (c < medium_.compressibility.count()) medium_.compressibility[c] = model_->compressibility(p, gas.density[c]);
     }
     return static_cast<std::int64_t>(ranks_->sum(floored));
 }
@@ -39,11 +40,12 @@ void solver::update_medium() {
     medium_.particle_velocity = bed.particle_velocity;
     medium_.momentum_source = sources.force;
     medium_.gravity = settings.gravity;
-    medium_.viscosity.resize(m.cells());
+    array<double>& viscosity = work_.diffusivity;
+    medium_.viscosity = viscosity;
     for (int c = 0; c < m.cells(); ++c) {
         const double e = bed.void_fraction[c];
         free_[c] = 1 - e <= settings.bed_threshold;
-        medium_.viscosity[c] = free_[c] ? gas.viscosity[c] + gas.eddy_viscosity[c] : 0;
+        viscosity[c] = free_[c] ? gas.viscosity[c] + gas.eddy_viscosity[c] : 0;
         if (c >= m.owned_cells()) continue;
         double mass = 0;
         for (int k = 0; k < species_; ++k) mass += sources.species[species_ * c + k];
@@ -52,9 +54,10 @@ void solver::update_medium() {
             medium_.exchange[c] = bed.exchange[c];
             continue;
         }
-        const double slip = norm(1 / e * gas.flow.velocity[c] - bed.particle_velocity[c]);
+        vector3 slip = 1 / e * gas.flow.velocity[c];
+        if (!bed.particle_velocity.empty()) slip -= bed.particle_velocity[c];
         medium_.exchange[c] =
-            free_[c] ? 0 : settings.drag({e, slip, gas.density[c], gas.viscosity[c], bed.diameter[c]});
+            free_[c] ? 0 : settings.drag({e, norm(slip), gas.density[c], gas.viscosity[c], bed.diameter[c]});
     }
     ranks_->gather(medium_.exchange.data(), 1);
     for (int f = m.internal_faces(); f < m.faces(); ++f) {
@@ -214,6 +217,13 @@ report solver::step(double dt, double storage) {
     if (!(dt > 0) || !(storage >= 0)) throw std::invalid_argument("hearth::gas: step: dt must be > 0, storage >= 0");
     take_bed();
     if (old_void_.empty()) old_void_ = bed.void_fraction;
+    if (medium_.compressibility.empty()) {
+        medium_.compressibility.resize(mesh_->cells());
+        for (int c = 0; c < mesh_->cells(); ++c) {
+            const double p = density_pressure(c);
+            medium_.compressibility[c] = model_->compressibility(p, model_->density(p, gas.temperature[c], composition(c)));
+        }
+    }
     const gas_fields before = gas;
     const flow_history history{dt, storage, before.density, old_void_, before.flow.mass_flux, before.flow.velocity};
     start_from_rest();

@@ -6,7 +6,7 @@
 namespace hearth::gas {
 
 transport::transport(const mesh& m, const pattern& p, const gradient& g, const parallel& ranks, workspace& work)
-    : diffusivity(m.cells(), 0.0),
+    : diffusivity(work.diffusivity),
       a(work.a),
       right(work.right),
       mesh_(&m),

@@ -33,11 +33,12 @@ template <class T>
 class view {
   public:
     view() = default;
-    view(const array<T>& whole) : data_(whole.data()) {}
+    view(const array<T>& whole) : data_(whole.empty() ? nullptr : whole.data()) {}
     view(array<T>&&) = delete;
 
     template <class Index>
     const T& operator[](Index i) const { return data_[i]; }
+    bool empty() const { return !data_; }
 
   private:
     const T* data_ = nullptr;

@@ -42,7 +42,7 @@ drag_function make_drag(Drag drag) {
 struct bed_fields {
     array<double> void_fraction;       ///< (0, 1] [-]
     array<double> diameter;            ///< Sauter mean of the particles there [m]
-    array<vector3> particle_velocity;  ///< the true one: that of the accelerated motion over Gamma [m/s]
+    array<vector3> particle_velocity;  ///< the true one: that of the accelerated motion over Gamma; empty: at rest [m/s]
     /// Exchange by particles through a transfer operator, used instead of the closure where not empty:
     /// sum W K [kg/(m^3 s)], with particle_velocity the mean weighted by it.
     array<double> exchange;
@@ -55,7 +55,7 @@ struct bed_fields {
 struct source_fields {
     array<double> species;    ///< [kg/s], cell by cell, species_count each; drying, reaction, nozzles
     array<double> enthalpy;   ///< absolute enthalpy of what comes, and any heat [W]
-    array<vector3> force;     ///< momentum of what comes, and any force [N]
+    array<vector3> force;     ///< momentum of what comes, and any force; empty: none [N]
     // Reaction, implicit: a species gains conversion * (converted - Y), cell by cell, species_count each.  It brings no
     // mass: who fills them sees to it that what some gain others lose.  Empty: none.
     array<double> conversion;  ///< [kg/s]

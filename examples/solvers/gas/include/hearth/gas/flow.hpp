@@ -12,13 +12,13 @@ namespace hearth::gas {
 /// What drives and resists the flow, handed in before each outer iteration.  Fields per cell with ghosts.
 struct flow_medium {
     view<double> density;             ///< [kg/m^3]
-    array<double> compressibility;    ///< d(density)/d(pressure) [kg/(m^3 Pa)]; used in transients only
+    array<double> compressibility;    ///< d(density)/d(pressure) [kg/(m^3 Pa)]; of time steps only
     view<double> void_fraction;       ///< [-]
-    array<double> viscosity;          ///< effective; 0 in the bed, where the drag holds all friction [Pa s]
+    view<double> viscosity;           ///< effective; 0 in the bed, where the drag holds all friction [Pa s]
     array<double> exchange;           ///< drag on the particles per slip of the interstitial gas [kg/(m^3 s)]
-    view<vector3> particle_velocity;  ///< [m/s]
+    view<vector3> particle_velocity;  ///< empty: they rest [m/s]
     array<double> mass_source;        ///< [kg/s] per cell
-    view<vector3> momentum_source;    ///< with the mass source, and any other force [N] per cell
+    view<vector3> momentum_source;    ///< with the mass source, and any other force; empty: none [N] per cell
     vector3 gravity;                        ///< [m/s^2]
 };
 
@@ -40,7 +40,7 @@ struct flow_state {
     array<vector3> pressure_gradient;  ///< per cell, consistent with the fluxes [Pa/m]
 };
 
-/// What a time step keeps of the step before.  step = 0: steady.
+/// What a time step keeps of the step before.  step = 0: steady, and always so without inertia.
 struct flow_history {
     double step = 0;                    ///< [s]
     double storage = 1;                 ///< factor s on the storage of mass (time scale splitting) [-]
@@ -97,6 +97,8 @@ class flow {
     void forget_levels() { pressure_solver_.forget(); }
 
   private:
+    /// What a time step resists with against the interstitial flux of its cell [kg/(m^3 s)].
+    static double step_inertia(int cell, const flow_medium&, const flow_history&);
     void assemble_momentum(const flow_state&, const flow_medium&, const flow_boundary&, const flow_history&,
                            const flow_settings&);
     void add_convection_and_diffusion(const flow_state&, const flow_medium&, const flow_boundary&);
@@ -116,12 +118,11 @@ class flow {
     array<vector3>&source_, &drive_, &previous_;
     array<double>& inverse_void_;
     array<vector3> boundary_velocity_;
-    array<double> coupling_;            // sum of the couplings of a row [kg/s]
-    array<double> total_;               // diagonal without relaxation and inertia [kg/s]
-    array<double> relax_, inertia_;     // further diagonal parts; then all per volume [kg/(m^3 s)]
-    array<double> outlet_conductance_;  // per boundary face [m s]
+    array<double> resistance_;          // diagonal without couplings, relaxation and inertia [kg/s]
+    array<double> relax_;               // what relaxation adds to it; then both per volume [kg/(m^3 s)]
+    array<double> outlet_conductance_;  // per boundary face [m s]; before that, the pressure from the cell to the face [Pa]
     array<double> previous_pressure_;
-    array<vector3> slope_, last_slope_;  // of the pressure, where the mesh leans [Pa/m]
+    array<vector3> slope_;              // of the pressure, where the mesh leans [Pa/m]
 };
 
 }  // namespace hearth::gas

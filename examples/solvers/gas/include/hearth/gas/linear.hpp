@@ -37,7 +37,7 @@ struct matrix {
 struct workspace {
     explicit workspace(const pattern& p)
         : a(p), right(p.rows), scalar(p.columns), first(p.columns), second(p.columns), third(p.columns),
-          gradient(3 * p.columns) {}
+          gradient(3 * p.columns), diffusivity(p.columns) {}
 
     /// A third of one of the arrays of vectors: a scalar per column.
     static double* part(array<vector3>& vectors, int i) {
@@ -49,6 +49,7 @@ struct workspace {
     array<double> scalar;                 ///< the linear solvers use this one and first, the general one second too
     array<vector3> first, second, third;
     array<vector3> gradient;              ///< three per column: of the velocity until the first scalar is solved
+    array<double> diffusivity;            ///< of the momentum (its viscosity), then of each scalar
 };
 
 struct solve_settings {

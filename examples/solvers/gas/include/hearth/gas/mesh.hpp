@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -62,8 +63,13 @@ class mesh {
     const patch& find_patch(const std::string& name) const;
     double area_of(const patch& p) const;  ///< [m^2]
 
-    /// The owned cell that holds the point, or -1.  A point on a face belongs to one of its cells.
+    /// The owned cell that holds the point, or -1.  A point on a face belongs to one of its cells.  The first call makes
+    /// bins of all cells, 47 B each.
     int find_cell(const vector3& point) const;
+
+    /// Drops the points and the faces' lists of them, 84 B per cell of a box.  The solver needs neither; pictures, shares
+    /// of the mesh and the first find_cell do.
+    void release_shape() { shape = {}; }
 
     array<int> owner, neighbour;
     array<vector3> area;         ///< [m^2] per face
@@ -73,7 +79,7 @@ class mesh {
     array<double> owner_weight;  ///< per internal face: weight of the owner in a linear interpolation [-]
     array<double> conductance;   ///< per face: |S|^2 / (S.d), d from centre to centre (or to the face) [m]
     array<patch> patches;
-    polyhedra shape;                   ///< points and faces, for output and location; owner and neighbour moved out of it
+    polyhedra shape;                   ///< points and faces, for output and location, until released; without owner, neighbour
     array<std::int64_t> global;  ///< per cell: number in the undivided mesh; empty where that is the cell itself
     array<int> ghost_rank;       ///< per ghost: the rank that owns it
     double largest_angle = 0;          ///< greatest angle between face normal and the line of centres [degree]
@@ -83,13 +89,11 @@ class mesh {
     void check_topology() const;
     void check_geometry() const;
     void compute_weights();
-    void build_bins();
+    struct location;
+    const location& locate() const;
 
     int owned_cells_ = 0;
-    // uniform bins over the bounding box; each lists the cells whose box touches it
-    vector3 low_, bin_size_;
-    int bins_[3] = {0, 0, 0};
-    array<int> bin_first_, bin_cells_, cell_face_first_, cell_faces_;
+    mutable std::shared_ptr<const location> location_;
 };
 
 /// Cells in reverse Cuthill-McKee order and faces sorted by owner, then neighbour: near cells lie near in memory.

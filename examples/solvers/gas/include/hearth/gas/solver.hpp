@@ -135,6 +135,7 @@ class solver {
     const double* composition(int cell) const { return &gas.mass_fraction[species_ * cell]; }
     void check_bed() const;
     void take_bed();
+    double density_pressure(int cell) const;
     std::int64_t update_density();
     void update_medium();
     void update_diffusivity();

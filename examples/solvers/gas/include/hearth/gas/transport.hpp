@@ -22,7 +22,8 @@ class transport {
   public:
     transport(const mesh& m, const pattern& p, const gradient& g, const parallel& ranks, workspace& work);
 
-    array<double> diffusivity;  ///< per cell with ghosts, times density and void fraction [kg/(m s)]; the caller sets it
+    /// Per cell with ghosts, times density and void fraction [kg/(m s)]; the caller sets it before each assemble().
+    array<double>& diffusivity;
 
     /// Puts convection and diffusion into the matrix: the same for all scalars of one diffusivity.
     ///     mass_flux           per face [kg/s]
