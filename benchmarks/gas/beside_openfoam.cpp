@@ -196,7 +196,7 @@ void ours_solving_pressure(benchmark::State& state, int n, double jump) {
     }
     workspace work(p);
     const parallel one;
-    symmetric_solver solver(make_multigrid(p), one, work);
+    symmetric_solver solver(make_multigrid(p, one), one, work);
     solve_report last = solver.solve(a, b.data(), x.data(), {1e-9, 0, 200});  // builds the hierarchy
     for (auto _ : state) {
         double least = 1e30;

@@ -116,6 +116,53 @@ TEST_CASE("distributed: ghosts hold what their owners hold; sums are the same bi
     CHECK(ranks.max(ranks.rank() == 0 ? std::nan("") : 1.0) == std::numeric_limits<double>::infinity());
 }
 
+namespace {
+
+/// Iterations to 1e-9 of diffusion through a box, `jump` times as well in its upper half, behind the solver's own multigrid.
+int pressure_iterations(const mesh& m, const parallel& ranks, double jump) {
+    const pattern p(m);
+    matrix a(p);
+    array<double> b(m.owned_cells(), 0.0), x(m.cells(), 0.0);
+    const auto coefficient = [&](int c) { return m.centre[c].z < 0.5 ? 1 : jump; };
+    for (int f = 0; f < m.faces(); ++f) {
+        const int o = m.owner[f], b_face = f - m.internal_faces();
+        if (b_face < 0) {
+            const int q = m.neighbour[f];
+            const double g = m.conductance[f] * 2 / (1 / coefficient(o) + 1 / coefficient(q));
+            a.entry[p.owner_entry[f]] = -g;
+            a.diagonal[o] += g;
+            if (q >= p.rows) continue;
+            a.entry[p.neighbour_entry[f]] = -g;
+            a.diagonal[q] += g;
+        } else if (std::abs(m.area[f].z) > 0.5 * norm(m.area[f])) {
+            const double g = m.conductance[f] * coefficient(o);
+            a.diagonal[o] += g;
+            b[o] += g * m.face_centre[f].z;
+        }
+    }
+    workspace work(p);
+    symmetric_solver solver(make_multigrid(p, ranks), ranks, work);
+    const solve_report r = solver.solve(a, b.data(), x.data(), {1e-9, 0, 200});
+    CHECK(r.converged);
+    if (jump == 1)
+        for (int c = 0; c < m.cells(); ++c) CHECK(x[c] == doctest::Approx(m.centre[c].z).epsilon(1e-6));
+    return r.iterations;
+}
+
+}  // namespace
+
+TEST_CASE("distributed: the multigrid needs about as many iterations as on one rank") {
+    for (const int n : {20, 40}) {
+        const mesh whole(box(graded(1, n), graded(1, n), graded(1, n))), m = share_of(whole);
+        const mpi_ranks ranks(m, communicator());
+        for (const double jump : {1.0, 1e3}) {
+            const int alone = pressure_iterations(whole, parallel(), jump), here = pressure_iterations(m, ranks, jump);
+            MESSAGE(whole.cells() << " cells, jump " << jump << ": " << alone << " iterations on one rank, " << here);
+            CHECK(here <= alone + 2);  // sweeps see ghosts as they were before
+        }
+    }
+}
+
 TEST_CASE("distributed: steady flow, heat, species and turbulence are those of one rank") {
     const mesh whole = make_shaft(), m = share_of(whole);
     const mpi_ranks ranks(m, communicator());

@@ -56,7 +56,7 @@ int iterations(const mesh& m, double jump, double reduction) {
     for (int c = 0; c < m.cells(); ++c) coefficient[c] = m.centre[c].z > 0.5 ? 1 : jump;
     const matrix a = diffusion(m, p, coefficient, 1.0);
     workspace work(p);
-    symmetric_solver solver(make_multigrid(p), one, work);
+    symmetric_solver solver(make_multigrid(p, one), one, work);
     const auto b = random_field(m.cells(), 3);
     array<double> x(m.cells(), 0.0);
     const solve_report report = solver.solve(a, b.data(), x.data(), {reduction, 0, 200});
@@ -85,7 +85,7 @@ TEST_CASE("symmetric solver: keeps a hierarchy that fits and drops one that does
     const pattern p(m);
     const parallel one;
     workspace work(p);
-    symmetric_solver solver(make_multigrid(p), one, work);
+    symmetric_solver solver(make_multigrid(p, one), one, work);
     const auto b = random_field(m.cells(), 5);
     for (const double scale : {1.0, 1.1, 1e4, 1e-4}) {
         CAPTURE(scale);
@@ -130,7 +130,7 @@ TEST_CASE("solvers: a right-hand side that is not finite is reported, and x stay
     array<double> b(m.cells(), 1.0), x(m.cells(), 0.0);
     b[7] = std::nan("");
     workspace work(p);
-    symmetric_solver symmetric(make_multigrid(p), one, work);
+    symmetric_solver symmetric(make_multigrid(p, one), one, work);
     general_solver general(one, work);
     CHECK_FALSE(symmetric.solve(a, b.data(), x.data(), {}).converged);
     CHECK_FALSE(general.solve(a, b.data(), x.data(), {}).converged);

@@ -3,15 +3,14 @@
 #include <cmath>
 
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
 
 #include <hearth/gas/linear.hpp>
+
+#include "border.hpp"
 
 namespace hearth::gas {
 
 namespace {
-
-using sparse = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
 /// Compressed rows in single precision: a preconditioner needs no more, and half the bytes are half the time.
 struct rows {
@@ -47,9 +46,9 @@ struct level {
     array<float> diagonal;
     rows to_fine;                          // from the next level; its transpose leads there
     array<float> row_sum;                  // of the whole row, on coarse levels
-    array<float> x, b, kept;
+    array<float> x, b, kept, outside;      // outside: what other ranks add to b, on coarse levels
 
-    /// A row times x, in differences: a large constant in x, as nearly singular matrices make it, leaves no round-off.
+    /// A row times x but for other ranks, in differences: a large constant in x, as nearly singular matrices make it, leaves no round-off.
     float times(int row, const array<float>& y) const {
         float sum = row_sum[row] * y[row];
         for (int i = off.first[row]; i < off.first[row + 1]; ++i) sum += off.value[i] * (y[off.column[i]] - y[row]);
@@ -57,84 +56,9 @@ struct level {
     }
 };
 
-/// Groups of strongly coupled cells.  Returns the group of each cell and their number.
-array<int> aggregate(const sparse& strong, int& groups) {
-    const int n = static_cast<int>(strong.rows());
-    array<int> group(n, -1);
-    groups = 0;
-    for (int c = 0; c < n; ++c) {  // cells whose strong neighbours are all free begin a group
-        bool free = group[c] < 0;
-        for (sparse::InnerIterator i(strong, c); free && i; ++i) free = group[i.col()] < 0;
-        if (!free) continue;
-        group[c] = groups;
-        for (sparse::InnerIterator i(strong, c); i; ++i) group[i.col()] = groups;
-        ++groups;
-    }
-    array<int> joined = group;
-    for (int c = 0; c < n; ++c) {  // the rest join the group that they are most strongly coupled to
-        double most = 0;
-        if (group[c] >= 0) continue;
-        for (sparse::InnerIterator i(strong, c); i; ++i)
-            if (i.col() != c && group[i.col()] >= 0 && -i.value() > most) {
-                most = -i.value();
-                joined[c] = group[i.col()];
-            }
-    }
-    for (int c = 0; c < n; ++c) {  // cells that are coupled to none of those
-        if (joined[c] >= 0) continue;
-        joined[c] = groups;
-        for (sparse::InnerIterator i(strong, c); i; ++i)
-            if (joined[i.col()] < 0) joined[i.col()] = groups;
-        ++groups;
-    }
-    return joined;
-}
-
-/// The matrix with couplings below `threshold` added to the diagonal.
-sparse strong_part(const sparse& a, double threshold) {
-    const Eigen::VectorXd d = a.diagonal();
-    array<Eigen::Triplet<double, int>> entries;
-    entries.reserve(static_cast<int>(a.nonZeros()));
-    for (int c = 0; c < a.rows(); ++c) {
-        double diagonal = 0;
-        for (sparse::InnerIterator i(a, c); i; ++i) {
-            const bool keep = i.col() != c && i.value() * i.value() > threshold * threshold * d[c] * d[i.col()];
-            if (keep) entries.emplace_back(c, static_cast<int>(i.col()), i.value());
-            else diagonal += i.value();
-        }
-        // lumping weak positive couplings must not empty the row
-        entries.emplace_back(c, c, std::max(diagonal, 0.1 * d[c]));
-    }
-    sparse out(a.rows(), a.cols());
-    out.setFromTriplets(entries.begin(), entries.end());
-    return out;
-}
-
-/// Piecewise constant prolongation smoothed by one damped Jacobi step.
-sparse prolongation(const sparse& strong, const array<int>& group, int groups) {
-    const int n = static_cast<int>(strong.rows());
-    sparse tentative(n, groups);
-    array<Eigen::Triplet<double, int>> entries;
-    for (int c = 0; c < n; ++c) entries.emplace_back(c, group[c], 1.0);
-    tentative.setFromTriplets(entries.begin(), entries.end());
-    sparse smoother = strong;
-    double radius = 0;  // Gershgorin bound of D^-1 A
-    for (int c = 0; c < n; ++c) {
-        double diagonal = 0, sum = 0;
-        for (sparse::InnerIterator i(smoother, c); i; ++i) {
-            if (i.col() == c) diagonal = i.value();
-            sum += std::abs(i.value());
-        }
-        radius = std::max(radius, sum / diagonal);
-        for (sparse::InnerIterator i(smoother, c); i; ++i) i.valueRef() /= diagonal;
-    }
-    const sparse smoothed = smoother * tentative;
-    return tentative - (4.0 / 3.0 / radius) * smoothed;
-}
-
 class multigrid final : public preconditioner {
   public:
-    explicit multigrid(const pattern& p) : shape_(&p) {
+    multigrid(const pattern& p, const parallel& ranks) : shape_(&p), ranks_(&ranks), border_(p, ranks) {
         fine_.off = rows(p.first, p.column);
         fine_.diagonal.resize(p.rows);
     }
@@ -154,6 +78,7 @@ class multigrid final : public preconditioner {
         // scaled to order one, so that no field is too small or large for single precision
         double scale = 0;
         for (int i = 0; i < n; ++i) scale = std::max(scale, std::abs(residual[i]));
+        scale = ranks_->max(scale);
         if (!(scale > 0) || !std::isfinite(scale)) {
             std::fill_n(correction, n, 0.0);
             return;
@@ -170,6 +95,7 @@ class multigrid final : public preconditioner {
         const pattern& p = *shape_;
         unit_ = 0;
         for (const double d : a.diagonal) unit_ = std::max(unit_, d);
+        unit_ = ranks_->max(unit_);
         coarse_.clear();
         sparse current(p.rows, p.rows);
         array<Eigen::Triplet<double, int>> entries;
@@ -182,11 +108,16 @@ class multigrid final : public preconditioner {
         current.setFromTriplets(entries.begin(), entries.end());
         entries = {};
         double threshold = 0.08;
-        while (current.rows() > 400) {
-            const sparse strong = strong_part(current, threshold);
+        const bool alone = border_.empty();
+        if (!alone) border_.begin(a);
+        // all ranks have as many levels, and together few rows on the last
+        while (ranks_->max(static_cast<double>(current.rows())) > std::max(400 / ranks_->ranks(), 40)) {
+            array<double> across = alone ? array<double>() : border_.row_sum(true);
+            across.resize(static_cast<int>(current.rows()));
+            const sparse strong = strong_part(current, threshold, across);
             int groups = 0;
             const array<int> group = aggregate(strong, groups);
-            if (groups > 0.8 * static_cast<double>(current.rows())) break;  // nothing left to gain
+            if (ranks_->max(-groups / static_cast<double>(current.rows())) < -0.8) break;  // nothing left to gain
             const sparse to_fine = prolongation(strong, group, groups);
             const sparse product = current * to_fine;
             current = sparse(to_fine.transpose()) * product;
@@ -195,7 +126,13 @@ class multigrid final : public preconditioner {
             level next;
             next.diagonal.resize(groups);
             for (int c = 0; c < groups; ++c) next.diagonal[c] = static_cast<float>(current.coeff(c, c));
-            const Eigen::VectorXd sums = current * Eigen::VectorXd::Ones(groups);
+            Eigen::VectorXd sums = current * Eigen::VectorXd::Ones(groups);
+            if (!alone) {
+                border_.add_level(to_fine);
+                const array<double> more = border_.row_sum(false);
+                for (int c = 0; c < more.count(); ++c) sums[c] += more[c];
+                next.outside.resize(groups);
+            }
             for (int c = 0; c < groups; ++c) next.row_sum.push_back(static_cast<float>(sums[c]));
             sparse off = current;
             off.prune([](Eigen::Index row, Eigen::Index column, double) { return row != column; });
@@ -205,10 +142,12 @@ class multigrid final : public preconditioner {
         }
         for (std::size_t l = 0; l <= coarse_.size(); ++l)
             for (auto* v : {&at(l).x, &at(l).b}) v->assign(at(l).diagonal.count(), 0.0F);
-        fine_.x.resize(p.columns);  // a rank sees its own block only: ghosts stay zero
-        direct_.compute(Eigen::SparseMatrix<double>(current));
-        direct_ok_ = direct_.info() == Eigen::Success && current.rows() <= 20000;
-        right_.resize(current.rows());
+        fine_.x.resize(p.columns);
+        const sparse whole = border_.gathered(current, first_row_);
+        direct_ok_ = whole.rows() <= 20000;
+        if (direct_ok_) direct_.compute(Eigen::SparseMatrix<double>(whole));
+        direct_ok_ = direct_ok_ && direct_.info() == Eigen::Success;
+        right_.resize(whole.rows());
     }
 
     /// W-cycle: each coarse level is visited twice, so that the iterations do not grow with the number of levels.
@@ -216,9 +155,11 @@ class multigrid final : public preconditioner {
         level& v = at(l);
         const int n = static_cast<int>(v.diagonal.size());
         if (l == coarse_.size() && direct_ok_) {
-            for (int i = 0; i < n; ++i) right_[i] = static_cast<double>(v.b[i]);
+            right_.setZero();
+            for (int i = 0; i < n; ++i) right_[first_row_ + i] = static_cast<double>(v.b[i]);
+            ranks_->sum(right_.data(), static_cast<int>(right_.size()));
             const Eigen::VectorXd solution = direct_.solve(right_);
-            for (int i = 0; i < n; ++i) v.x[i] = static_cast<float>(solution[i]);
+            for (int i = 0; i < n; ++i) v.x[i] = static_cast<float>(solution[first_row_ + i]);
             return;
         }
         for (int c = 0; c < n; ++c) {  // forward sweep from zero: columns above c are still zero
@@ -227,11 +168,13 @@ class multigrid final : public preconditioner {
                 sum -= v.off.value[i] * v.x[v.off.column[i]];
             v.x[c] = sum / v.diagonal[c];
         }
+        const auto outside = [&v](int c) { return v.outside.empty() ? 0.0F : v.outside[c]; };
+        hear(l, v.x, false);
         if (l < coarse_.size()) {
             level& next = at(l + 1);
             std::fill(next.b.begin(), next.b.end(), 0.0F);
             for (int c = 0; c < n; ++c) {
-                float rest = 0;  // the sweep left of each row what is above its diagonal
+                float rest = outside(c);  // the sweep left of each row what is above its diagonal
                 for (int i = v.off.first[c + 1]; i-- > v.off.first[c] && v.off.column[i] > c;)
                     rest -= v.off.value[i] * v.x[v.off.column[i]];
                 for (int i = v.to_fine.first[c]; i < v.to_fine.first[c + 1]; ++i)
@@ -242,27 +185,44 @@ class multigrid final : public preconditioner {
                 const int m = next.diagonal.count();
                 next.kept = next.x;
                 for (int c = 0; c < m; ++c) next.b[c] -= next.times(c, next.kept);
+                hear(l + 1, next.kept, true);
+                for (int c = 0; c < next.outside.count(); ++c) next.b[c] += next.outside[c];
                 cycle(l + 1);
                 for (int c = 0; c < m; ++c) next.x[c] += next.kept[c];
             }
             for (int c = 0; c < n; ++c) v.x[c] += v.to_fine.times(c, next.x.data());
+            hear(l, v.x, false);
         }
-        for (int c = n - 1; c >= 0; --c) v.x[c] = (v.b[c] - v.off.times(c, v.x.data())) / v.diagonal[c];
+        for (int c = n - 1; c >= 0; --c) v.x[c] = (v.b[c] + outside(c) - v.off.times(c, v.x.data())) / v.diagonal[c];
+    }
+
+    /// Takes in what other ranks hold: ghosts on the finest level, on the others what they add to the right-hand side.
+    void hear(std::size_t l, array<float>& x, bool difference) {
+        if (border_.empty()) return;
+        if (l == 0) return border_.gather(x.data());
+        array<float>& out = at(l).outside;
+        std::fill(out.begin(), out.end(), 0.0F);
+        border_.bring(l, x.data(), out.data(), difference);
     }
 
     const pattern* shape_;
+    const parallel* ranks_;
+    border border_;
     level fine_;
     array<level> coarse_;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> direct_;
     Eigen::VectorXd right_;
     double unit_ = 1;
+    int first_row_ = 0;
     bool built_ = false, direct_ok_ = false;
 };
 
 }  // namespace
 
-std::unique_ptr<preconditioner> make_multigrid(const pattern& p) { return std::make_unique<multigrid>(p); }
+std::unique_ptr<preconditioner> make_multigrid(const pattern& p, const parallel& ranks) {
+    return std::make_unique<multigrid>(p, ranks);
+}
 
-std::unique_ptr<preconditioner> parallel::make_preconditioner(const pattern& p) const { return make_multigrid(p); }
+std::unique_ptr<preconditioner> parallel::make_preconditioner(const pattern& p) const { return make_multigrid(p, *this); }
 
 }  // namespace hearth::gas

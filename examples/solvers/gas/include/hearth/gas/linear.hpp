@@ -77,8 +77,9 @@ class preconditioner {
 };
 
 /// Algebraic multigrid by smoothed aggregation, one W-cycle with symmetric Gauss-Seidel.  Keeps its coarse levels.
-/// Vanek, Mandel, Brezina, Computing 56 (1996) 179, doi:10.1007/BF02238511.  On several ranks each rank has its own.
-std::unique_ptr<preconditioner> make_multigrid(const pattern& p);
+/// Vanek, Mandel, Brezina, Computing 56 (1996) 179, doi:10.1007/BF02238511.  On several ranks the groups of cells stay within their rank, and the levels are those of all
+/// ranks; the last is solved by every rank.
+std::unique_ptr<preconditioner> make_multigrid(const pattern& p, const parallel& ranks);
 
 /// Conjugate gradients.  x holds a start and, on return, the best finite iterate with its ghosts gathered.
 /// Rebuilds the preconditioner when it needs half as many iterations again as just after the last rebuild.
