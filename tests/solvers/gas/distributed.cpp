@@ -118,8 +118,8 @@ TEST_CASE("distributed: ghosts hold what their owners hold; sums are the same bi
 
 namespace {
 
-/// Iterations to 1e-9 of diffusion through a box, `jump` times as well in its upper half, behind the solver's own multigrid.
-int pressure_iterations(const mesh& m, const parallel& ranks, double jump) {
+/// Iterations to 1e-9 of diffusion through a box, `jump` times as well in its upper half, behind the solver's own multigrid or hypre's.
+int pressure_iterations(const mesh& m, const parallel& ranks, double jump, bool hypre = false) {
     const pattern p(m);
     matrix a(p);
     array<double> b(m.owned_cells(), 0.0), x(m.cells(), 0.0);
@@ -141,7 +141,7 @@ int pressure_iterations(const mesh& m, const parallel& ranks, double jump) {
         }
     }
     workspace work(p);
-    symmetric_solver solver(make_multigrid(p, ranks), ranks, work);
+    symmetric_solver solver(hypre ? make_boomer_amg(p, ranks, communicator().native()) : make_multigrid(p, ranks), ranks, work);
     const solve_report r = solver.solve(a, b.data(), x.data(), {1e-9, 0, 200});
     CHECK(r.converged);
     if (jump == 1)
@@ -159,6 +159,7 @@ TEST_CASE("distributed: the multigrid needs about as many iterations as on one r
             const int alone = pressure_iterations(whole, parallel(), jump), here = pressure_iterations(m, ranks, jump);
             MESSAGE(whole.cells() << " cells, jump " << jump << ": " << alone << " iterations on one rank, " << here);
             CHECK(here <= alone + 2);  // sweeps see ghosts as they were before
+            if (has_hypre()) CHECK(pressure_iterations(m, ranks, jump, true) <= 2 * alone);
         }
     }
 }

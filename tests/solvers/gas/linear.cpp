@@ -73,6 +73,11 @@ TEST_CASE("multigrid: iterations do not grow with the number of cells") {
     MESSAGE("1.7e3 cells: " << small << ", 6.4e4 cells: " << large << " iterations to 1e-9");
     CHECK(large <= small + 2);  // 37 times the cells
     CHECK(large <= 15);
+    // nor where the coefficient jumps by 1000
+    const int small_jump = iterations(mesh(box(graded(1, 12), graded(1, 12), graded(1, 12))), 1e-3, 1e-9);
+    const int large_jump = iterations(mesh(box(graded(1, 40), graded(1, 40), graded(1, 40))), 1e-3, 1e-9);
+    MESSAGE("with a jump: " << small_jump << ", " << large_jump);
+    CHECK(large_jump <= small_jump + 2);
 }
 
 TEST_CASE("multigrid: copes with jumps of 1e6 and with flat cells") {

@@ -4,7 +4,7 @@
 namespace hearth::gas {
 
 std::unique_ptr<preconditioner> mpi_ranks::make_preconditioner(const pattern& p) const {
-    return ranks() > 1 && has_hypre() ? make_boomer_amg(p, *this, communicator().native()) : make_multigrid(p, *this);
+    return ranks() > own_multigrid_up_to && has_hypre() ? make_boomer_amg(p, *this, communicator().native()) : make_multigrid(p, *this);
 }
 
 }  // namespace hearth::gas

@@ -38,14 +38,15 @@ array<int> aggregate(const sparse& strong, int& groups) {
     return joined;
 }
 
-sparse strong_part(const sparse& a, double threshold, const array<double>& across) {
+sparse strong_part(const sparse& a, double threshold, const array<double>& across, bool by_row) {
     const Eigen::VectorXd d = a.diagonal();
     array<Eigen::Triplet<double, int>> entries;
     entries.reserve(static_cast<int>(a.nonZeros()));
     for (int c = 0; c < a.rows(); ++c) {
         double diagonal = -across[c];
         for (sparse::InnerIterator i(a, c); i; ++i) {
-            const bool keep = i.col() != c && i.value() * i.value() > threshold * threshold * d[c] * d[i.col()];
+            const double scale = by_row ? d[c] * d[c] : d[c] * d[i.col()];
+            const bool keep = i.col() != c && i.value() * i.value() > threshold * threshold * scale;
             if (keep) entries.emplace_back(c, static_cast<int>(i.col()), i.value());
             else diagonal += i.value();
         }

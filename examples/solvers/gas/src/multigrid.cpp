@@ -114,11 +114,10 @@ class multigrid final : public preconditioner {
         while (ranks_->max(static_cast<double>(current.rows())) > std::max(400 / ranks_->ranks(), 40)) {
             array<double> across = alone ? array<double>() : border_.row_sum(true);
             across.resize(static_cast<int>(current.rows()));
-            const sparse strong = strong_part(current, threshold, across);
-            int groups = 0;
-            const array<int> group = aggregate(strong, groups);
+            int groups = 0;  // of cells that hang on each other; smoothed towards all that a cell hangs on
+            const array<int> group = aggregate(strong_part(current, threshold, across, false), groups);
             if (ranks_->max(-groups / static_cast<double>(current.rows())) < -0.8) break;  // nothing left to gain
-            const sparse to_fine = prolongation(strong, group, groups);
+            const sparse to_fine = prolongation(strong_part(current, threshold, across, true), group, groups);
             const sparse product = current * to_fine;
             current = sparse(to_fine.transpose()) * product;
             level& finer = at(coarse_.size());

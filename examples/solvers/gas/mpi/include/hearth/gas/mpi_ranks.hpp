@@ -15,11 +15,12 @@ namespace hearth::gas {
 ///     const mpi_ranks ranks(share, communicator);
 ///     solver gas(share, model, settings, ranks);
 ///
-/// On several ranks the pressure is solved behind hypre's BoomerAMG where hypre was found when this was built, else behind
-/// one multigrid per rank, whose iterations grow with the ranks.
+/// The pressure is solved behind the solver's own multigrid, whose last level every rank solves; on more ranks than
+/// `own_multigrid_up_to` behind hypre's BoomerAMG, where hypre was found when this was built.
 class mpi_ranks final : public distributed<mpi::communicator> {
   public:
     using distributed::distributed;
+    static constexpr int own_multigrid_up_to = 8;
     std::unique_ptr<preconditioner> make_preconditioner(const pattern& p) const override;
 };
 
