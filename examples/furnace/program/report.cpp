@@ -41,6 +41,7 @@ const char* word(bed_packing p) {
 
 const char* word(bed_motion m) {
     switch (m) {
+        case bed_motion::dem: return "moved by DEM all the time";
         case bed_motion::recorded: return "moved by what DEM shows of its motion";
         case bed_motion::plug: return "sinking as a plug";
         case bed_motion::frozen: return "at rest";
@@ -76,6 +77,7 @@ std::string expectation(const settings& scene, const plan& planned) {
                  static_cast<long long>(planned.particles), word(scene.bed.packing), word(scene.bed.motion));
     if (planned.waiting > 0) out += print("  hopper     %lld parcels more, cold\n", static_cast<long long>(planned.waiting));
     out += print("  couplings  %d over %.3g residence times\n", planned.couplings, scene.time.residence_times);
+    if (planned.motion_steps > 0) out += print("  motion     %.3g steps of DEM in each\n", planned.motion_steps);
     out += print("  expected   %s of memory, %s on one core (+-50 %%)\n", size_of(planned.memory).c_str(), duration(planned.seconds).c_str());
     if (!planned.left_out.empty()) out += "\nLeft out:\n";
     for (const plan::omission& o : planned.left_out) {

@@ -31,7 +31,7 @@ inline const list_members<size_class> size_members{{"diameter_mm", {&size_class:
                                                    {"mass_share", {&size_class::mass_share, {0, 1}}}};
 
 /// The words that a key of the enumeration takes, in the order of its values.
-constexpr auto names(bed_motion) { return std::array<std::string_view, 3>{"recorded", "plug", "frozen"}; }
+constexpr auto names(bed_motion) { return std::array<std::string_view, 4>{"dem", "recorded", "plug", "frozen"}; }
 constexpr auto names(burning) { return std::array<std::string_view, 4>{"none", "mixed_is_burnt", "equilibrium", "jones_lindstedt"}; }
 constexpr auto names(gas_mixing) { return std::array<std::string_view, 2>{"at_once", "bed"}; }
 constexpr auto names(voidage_method) { return std::array<std::string_view, 2>{"filtered", "vfs"}; }
@@ -74,7 +74,7 @@ void describe(Settings& s, Key&& key) {
     key("gas", "ignition_temperature_K", s.gas.ignition_temperature, range{300, 3000}, "Gas around the burners at the start");
 
     key("bed", "packing", s.bed.packing, range{}, "Where the parcels lie: as DEM lets them fall; on a lattice of bed.void_fraction; or dense, at random and pushed apart to bed.void_fraction, which needs no fall, in a piece of the shaft that repeats upwards");
-    key("bed", "motion", s.bed.motion, range{}, "How the bed moves: as a stretch of DEM with feed and discharge, recorded and repeated; as a body that sinks, and what leaves below comes back on top as feed; or not at all");
+    key("bed", "motion", s.bed.motion, range{}, "How the bed moves: by DEM with feed and discharge, all the time, Gamma times too fast and seen Gamma times slower; as a stretch of that, recorded and repeated; as a body that sinks, and what leaves below comes back on top as feed; or not at all");
     key("bed", "recorded_diameters", s.bed.recorded_diameters, range{0.5, 1000}, "By how many parcels the bed sinks while it is recorded");
     key("bed", "recording_acceleration_factor", s.bed.recording_acceleration_factor, range{1, 1e4}, "Gamma of the DEM that is recorded; the flow stays quasi-static up to 200");
     key("bed", "coarse_graining", s.bed.coarse_graining, range{1, 10}, "Diameter of a parcel over that of its particles");

@@ -9,15 +9,13 @@
 #include <hearth/furnace/settings.hpp>
 #include <hearth/furnace/snapshot.hpp>
 
+#include "driven_motion.hpp"
 #include "packing.hpp"
 
 namespace hearth::furnace {
 
-/// DEM lets parcels fall into the shaft until they rest.  For a bed that is to move by a recording it goes on: the bed
-/// is fed above and discharged below, with the gas's pressure gradient on the parcels, and what is seen is recorded.
-///
-/// Centres of parcels lie between the ends of the shaft: the floor is a largest radius below it, so that the bed is cut
-/// through there as it is at the top, and not laid flat.
+/// DEM lets parcels fall into the shaft until they rest.  For a bed that DEM is to move it goes on: the bed is fed above
+/// and discharged below until it flows, and for one that is to move by a recording what is then seen is recorded.
 ///
 /// Ranks share the parcels in slabs; the motion has the bits of one rank, and each rank gets the whole bed.
 class filling {
@@ -29,10 +27,10 @@ class filling {
     bool done() const { return now_ == stage::done; }
     double level() const;  ///< of the bed [m]
     double share() const;  ///< of the expected work, 0 to 1 [-]
-    std::vector<dem::particle> parcels() const;  ///< of all ranks, by their ids
+    std::vector<dem::sphere> parcels() const;  ///< of all ranks, by their ids
 
-    /// The bed that the scene asks for.
-    std::unique_ptr<dem::moving_bed> finished() const;
+    /// The bed that the scene asks for; nothing may be asked of the filling afterwards.
+    std::unique_ptr<dem::moving_bed> finished();
 
     /// DEM's state is that of this rank's parcels.
     void save(saved_state& into) const;
@@ -43,12 +41,10 @@ class filling {
     enum class stage { falling, springing_back, starting, recording, done };
 
     bool at_rest() const;
-    double weight() const;  ///< gravity of the fall and of the motion, over that of the earth [-]
+    bool goes_on() const;  ///< once the parcels have fallen
     void set_gravity(double share);
     void begin_motion();
     void make_motion();
-    void move();
-    void push_by_gas();
     void cut(double level);
     double sinking(double diameters) const;  ///< mass that leaves while the bed sinks by so many parcels [kg]
 
@@ -60,10 +56,8 @@ class filling {
     double gravity_ = 1;        ///< over that of the earth [-]
     double void_fraction_ = 0;  ///< of the bed that begins to move
     double taken_ = 0;          ///< by the outflow when the last frame was seen [kg]
-    std::optional<dem::feed> feed_;
-    std::optional<dem::outflow> outflow_;
+    std::optional<driven_motion> motion_;
     std::optional<dem::recorder> recorder_;
-    std::vector<double> lift_;  ///< of the gas per volume of bed, over the height [N/m^3]
 };
 
 }  // namespace hearth::furnace

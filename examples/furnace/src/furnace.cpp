@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "driven_bed.hpp"
 #include "flat.hpp"
 #include "parts.hpp"
 #include "redistribution.hpp"
@@ -59,7 +60,7 @@ void furnace::parts::each_part(Part&& part) {
 
 namespace {
 
-bool lies_on_ranks(const std::string& name) { return name.compare(0, 4, "gas/") == 0 || name == "filling/state"; }
+bool lies_on_ranks(const std::string& name) { return name.compare(0, 4, "gas/") == 0 || name == "filling/state" || name == "motion/state"; }
 
 /// What every rank has of an array that lies on ranks: its length and its numbers, rank by rank.
 redistribution::parts parts_of(const std::string& name, const std::vector<double>& saved, std::size_t ranks) {
@@ -88,6 +89,8 @@ saved_state furnace::parts::save() {
     } else {
         if (const auto* recorded = dynamic_cast<const dem::recorded_bed*>(bed.get())) {
             saved["bed/recording"] = to_numbers(recorded->record().bytes());
+        } else if (const auto* driven = dynamic_cast<const driven_bed*>(bed.get())) {
+            driven->save(saved);
         } else {
             saved["bed/spheres"] = to_flat(bed->spheres());
             saved["bed/masses"] = bed->masses();
@@ -140,6 +143,8 @@ void furnace::parts::restore(const saved_state& saved) {
     if (scene.bed.motion == bed_motion::recorded) {
         auto record = std::make_shared<const dem::recording>(dem::recording::read(to_bytes(find("bed/recording"))));
         made = std::make_unique<dem::recorded_bed>(std::move(record), surroundings_of(scene), scene.particles.mass_flow);
+    } else if (scene.bed.motion == bed_motion::dem) {
+        made = driven_bed::read(scene, among, saved);
     } else {
         std::vector<dem::sphere> spheres;
         from_flat(find("bed/spheres"), spheres);

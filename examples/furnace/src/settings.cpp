@@ -61,11 +61,14 @@ void check(const settings& scene) {
         throw bad_scene("burners.height_m is " + format(scene.burners.height) + ", allowed: below the top of the shaft, " +
                         format(scene.shaft.height));
     }
-    if (scene.bed.motion == bed_motion::recorded && scene.bed.packing != bed_packing::dem) {
-        throw bad_scene("bed.motion is \"recorded\", allowed with bed.packing = \"dem\": there is nothing to record of what DEM has not packed");
+    const bool recorded = scene.bed.motion == bed_motion::recorded, by_dem = recorded || scene.bed.motion == bed_motion::dem;
+    const std::string motion = std::string("bed.motion is \"") + (recorded ? "recorded" : "dem") + "\"";
+    if (by_dem && scene.bed.packing != bed_packing::dem) {
+        throw bad_scene(motion + ", allowed with bed.packing = \"dem\": " +
+                        (recorded ? "there is nothing to record of what DEM has not packed" : "DEM moves what it has packed"));
     }
-    if (scene.bed.motion == bed_motion::recorded && !(scene.particles.mass_flow > 0)) {
-        throw bad_scene("bed.motion is \"recorded\", allowed where particles.mass_flow_kg_per_h is above 0");
+    if (by_dem && !(scene.particles.mass_flow > 0)) {
+        throw bad_scene(motion + ", allowed where particles.mass_flow_kg_per_h is above 0");
     }
     if (scene.shaft.hopper_fill > 0 && (scene.shaft.hopper_height <= 0 || scene.bed.motion != bed_motion::plug)) {
         throw bad_scene("shaft.hopper_fill_m is " + format(scene.shaft.hopper_fill) +

@@ -80,7 +80,7 @@ snapshot furnace::look() const {
         s.particle_radius.push_back(radius);
     };
     if (p.now == phase::fill) {
-        for (const dem::particle& parcel : p.fill->parcels()) show(parcel.position, parcel.radius);
+        for (const dem::sphere& parcel : p.fill->parcels()) show(parcel.centre, parcel.radius);
         return s;
     }
     for (const dem::sphere& parcel : p.bed->spheres()) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "acceleration.hpp"
+#include "driven_bed.hpp"
 #include "nitric_oxide.hpp"
 #include "parts.hpp"
 
@@ -167,6 +168,11 @@ summary furnace::summarise() const {
         if (times > 0) s.warnings.push_back(text.str());
     }
     if (const std::string text = acceleration_warning(p.scene, p.scene.time.acceleration_factor); !text.empty()) s.warnings.push_back(text);
+    if (const auto* driven = dynamic_cast<const driven_bed*>(p.bed.get()); driven && driven->waiting() > 0.01 * *s.bed_mass) {
+        std::ostringstream text;
+        text << "the feed found no room for " << driven->waiting() << " kg that were due, and the bed's level has sunk by them; a smaller time.acceleration_factor feeds slower";
+        s.warnings.push_back(text.str());
+    }
     if (p.clamped > 0) s.warnings.push_back("closures were asked outside of the range they were fitted in, see clamped_evaluations");
     return s;
 }
@@ -200,6 +206,14 @@ plan foresee(const settings& scene) {
             const double speed = scene.particles.mass_flow * height / std::max(solid * scene.particles.density, 1e-300);
             time += (1.5 + scene.bed.recorded_diameters) * d * scene.bed.coarse_graining / (speed * scene.bed.recording_acceleration_factor);
         }
+        if (scene.bed.motion == bed_motion::dem) {
+            const double of_process = scene.time.residence_times * solid * scene.particles.density / scene.particles.mass_flow;
+            const double acceleration = scene.time.acceleration_factor.automatic ? acceleration_of(scene, solve_shaft_profile(scene))
+                                                                                 : scene.time.acceleration_factor.value;
+            const double of_motion = of_process / (acceleration * std::sqrt(weight_of(scene)));
+            result.motion_steps = of_motion / step / scene.time.couplings;
+            time += of_motion;
+        }
         result.seconds += 1e-7 * parcels * time / step;
     }
     const auto leaves = [&](bool out, const char* what, const char* because, const char* saves) {
@@ -209,6 +223,8 @@ plan foresee(const settings& scene) {
     leaves(!scene.physics.conduction, "conduction through contacts", "physics.conduction", "the list of contacts");
     leaves(scene.bed.packing != bed_packing::dem, "DEM", "bed.packing", "the fill phase");
     leaves(scene.bed.motion == bed_motion::plug, "shear of the bed, which sinks as a body", "bed.motion", "DEM while it sinks");
+    leaves(scene.bed.motion == bed_motion::recorded, "motion beyond the stretch that is recorded", "bed.motion", "DEM after that stretch");
+    leaves(scene.bed.motion == bed_motion::dem, "heat of the feed while it falls onto the bed, at Gamma 1", "bed.motion", "a clock for each parcel");
     leaves(scene.bed.motion == bed_motion::frozen, "motion of the bed", "bed.motion", "DEM after the filling");
     const burning how = scene.physics.combustion;
     leaves(how == burning::none, "combustion: the burners blow air", "physics.combustion", "all species");

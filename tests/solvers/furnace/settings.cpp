@@ -67,7 +67,7 @@ TEST_CASE("scene: every mistake is told with its place, its value and what is al
     CHECK(complaint("[voidage]\nthreshold = 1.5") == "my.toml:2: voidage.threshold is 1.5, allowed: 0.1 to 1");
     CHECK(complaint("[voidage]\nthreshold = nan") == "my.toml:2: voidage.threshold is nan, allowed: 0.1 to 1");
     CHECK(complaint("[voidage]\nthreshold = \"x\"") == "my.toml:2: voidage.threshold is not a number");
-    CHECK(complaint("[bed]\nmotion = \"fast\"") == "my.toml:2: bed.motion is \"fast\", allowed: recorded, plug, frozen");
+    CHECK(complaint("[bed]\nmotion = \"fast\"") == "my.toml:2: bed.motion is \"fast\", allowed: dem, recorded, plug, frozen");
     CHECK(complaint("[bed]\npacking = \"lattice\"").find("bed.motion is \"recorded\", allowed with bed.packing = \"dem\"") != std::string::npos);
     // Nothing is taken that the program does not do.
     CHECK(complaint("[physics]\ncombustion = \"magic\"") ==

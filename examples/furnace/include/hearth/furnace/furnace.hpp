@@ -57,6 +57,7 @@ struct plan {
     std::int64_t cells = 0, parcels = 0, particles = 0;  ///< of the shaft; particles: stones that the parcels stand for
     std::int64_t waiting = 0;                            ///< parcels in the hopper
     int couplings = 0;
+    double motion_steps = 0;  ///< of DEM in a coupling, where it moves the bed all the time
     double memory = 0;   ///< [bytes]
     double seconds = 0;  ///< of one core like those that this was measured on, +-50 % [s]
     struct omission {

@@ -37,7 +37,7 @@ struct number_or_auto {
     bool automatic = false;
 };
 
-enum class bed_motion { recorded, plug, frozen };
+enum class bed_motion { dem, recorded, plug, frozen };
 enum class burning { none, mixed_is_burnt, equilibrium, jones_lindstedt };
 enum class gas_mixing { at_once, bed };
 enum class voidage_method { filtered, vfs };
