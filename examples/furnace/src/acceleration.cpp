@@ -64,6 +64,8 @@ std::string acceleration_warning(const settings& scene, double acceleration_fact
          << " times the speed at which a layer refills by gravity; it is quasi-static up to Gamma "
          << std::max(1.0, std::floor(quasi_static_ratio / motion_ratio(scene, 1)));
     if (scene.bed.motion == bed_motion::plug) text << "; a bed that sinks as a plug does not feel it";
+    if (scene.bed.motion == bed_motion::recorded)
+        text << "; a bed that moves by a recording feels bed.recording_acceleration_factor instead";
     return text.str();
 }
 

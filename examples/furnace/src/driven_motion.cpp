@@ -90,8 +90,7 @@ void driven_motion::push_by_gas(dem::bed& bed) const {
         const dem::sphere& s = bed.spheres()[i];
         const double volume = 4.0 / 3.0 * pi * s.radius * s.radius * s.radius;
         const bool inside = s.centre.z < height_;
-        bed.set_outer_force(
-            i, {0, 0, inside ? bed_over_solid_ * volume * at_height(lift_, s.centre.z, height_) : 0.0});
+        bed.set_outer_force(i, {0, 0, inside ? bed_over_solid_ * volume * at_height(lift_, s.centre.z, height_) : 0.0});
     }
 }
 

@@ -26,10 +26,7 @@ double volume(double radius) { return 4.0 / 3.0 * pi * radius * radius * radius;
 }  // namespace
 
 filling::filling(const settings& scene, const ranks& among)
-    : scene_(scene),
-      among_(among),
-      largest_(sizes_of(scene).largest()),
-      bed_(empty_shaft(scene, among)) {
+    : scene_(scene), among_(among), largest_(sizes_of(scene).largest()), bed_(empty_shaft(scene, among)) {
     const double top = scene.shaft.height, shaft_radius = 0.5 * scene.shaft.diameter;
     // Loose layers, every second one shifted by half a spacing, too unstable to remain; more than enough to fill what
     // is modelled.  Those above one another are at least 1.04 apart, less twice the jitter.
@@ -140,8 +137,7 @@ void filling::begin_motion() {
 void filling::make_motion() {
     motion_.emplace(scene_, void_fraction_);
     if (scene_.bed.motion != bed_motion::recorded) return;
-    recorder_.emplace(
-        dem::recording::settings{{{0, 0, 0}, 0.5 * scene_.shaft.diameter, scene_.shaft.height}, 6, 20});
+    recorder_.emplace(dem::recording::settings{{{0, 0, 0}, 0.5 * scene_.shaft.diameter, scene_.shaft.height}, 6, 20});
 }
 
 /// Takes away what lies above a level; not what still falls.

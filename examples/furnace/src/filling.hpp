@@ -14,8 +14,8 @@
 
 namespace hearth::furnace {
 
-/// DEM lets parcels fall into the shaft until they rest.  For a bed that DEM is to move it goes on: the bed is fed above
-/// and discharged below until it flows, and for one that is to move by a recording what is then seen is recorded.
+/// DEM lets parcels fall into the shaft until they rest.  For a bed that DEM is to move it goes on: the bed is fed
+/// above and discharged below until it flows, and for one that is to move by a recording what is then seen is recorded.
 ///
 /// Ranks share the parcels in slabs; the motion has the bits of one rank, and each rank gets the whole bed.
 class filling {
@@ -25,8 +25,8 @@ class filling {
     /// Some more steps.
     void advance();
     bool done() const { return now_ == stage::done; }
-    double level() const;  ///< of the bed [m]
-    double share() const;  ///< of the expected work, 0 to 1 [-]
+    double level() const;                      ///< of the bed [m]
+    double share() const;                      ///< of the expected work, 0 to 1 [-]
     std::vector<dem::sphere> parcels() const;  ///< of all ranks, by their ids
 
     /// The bed that the scene asks for; nothing may be asked of the filling afterwards.

@@ -35,8 +35,7 @@ std::vector<parcel_of_shaft> all_parcels(const dem::bed& bed, const ranks& among
     std::vector<parcel_of_shaft> mine;
     for (dem::index i = 0; i < bed.size(); ++i) mine.push_back({bed.ids()[i], bed.spheres()[i], bed.mass(i)});
     std::vector<parcel_of_shaft> all = among.gather(mine);
-    std::sort(all.begin(), all.end(),
-              [](const parcel_of_shaft& a, const parcel_of_shaft& b) { return a.id < b.id; });
+    std::sort(all.begin(), all.end(), [](const parcel_of_shaft& a, const parcel_of_shaft& b) { return a.id < b.id; });
     return all;
 }
 

@@ -168,10 +168,12 @@ summary furnace::summarise() const {
         if (times > 0) s.warnings.push_back(text.str());
     }
     if (const std::string text = acceleration_warning(p.scene, p.scene.time.acceleration_factor); !text.empty()) s.warnings.push_back(text);
-    if (const auto* driven = dynamic_cast<const driven_bed*>(p.bed.get()); driven && driven->waiting() > 0.01 * *s.bed_mass) {
+    if (const auto* driven = dynamic_cast<const driven_bed*>(p.bed.get())) {
+        const double parcel = pi / 6 * std::pow(sizes_of(p.scene).largest(), 3) * p.scene.particles.density;
         std::ostringstream text;
-        text << "the feed found no room for " << driven->waiting() << " kg that were due, and the bed's level has sunk by them; a smaller time.acceleration_factor feeds slower";
-        s.warnings.push_back(text.str());
+        text << "the feed has found no room for " << driven->waiting()
+             << " kg, and the bed has sunk by them; a smaller time.acceleration_factor feeds it slower";
+        if (driven->waiting() > parcel + 0.01 * *s.bed_mass) s.warnings.push_back(text.str());
     }
     if (p.clamped > 0) s.warnings.push_back("closures were asked outside of the range they were fitted in, see clamped_evaluations");
     return s;

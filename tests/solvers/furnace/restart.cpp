@@ -8,18 +8,21 @@
 
 using namespace hearth::furnace;
 
-TEST_CASE("restart: before and after every phase the state holds all that the next step depends on") {
+namespace {
+
+void restart_everywhere(bed_motion motion) {
     settings scene;
     scene.shaft.height = 3;
     scene.shaft.hopper_height = 0;
     scene.burners.height = 2;
     scene.bed.packing = bed_packing::dem;
-    scene.bed.motion = bed_motion::recorded;
+    scene.bed.motion = motion;
     scene.bed.coarse_graining = 10;
     scene.physics.combustion = burning::mixed_is_burnt;
     scene.mesh.across = 4;
     scene.mesh.axial_size = 0.3;
     scene.mesh.axial_size_bottom = scene.mesh.axial_size_burners = 0.15;
+    scene.time.acceleration_factor = 300;
     scene.time.couplings = 2;
     scene.time.residence_times = 0.05;
     furnace calm(scene);
@@ -46,4 +49,11 @@ TEST_CASE("restart: before and after every phase the state holds all that the ne
         ++compared;
     }
     CHECK(compared >= 5);  // filling, ignition, and the couplings
+}
+
+}  // namespace
+
+TEST_CASE("restart: before and after every phase the state holds all that the next step depends on") {
+    SUBCASE("motion by a recording") { restart_everywhere(bed_motion::recorded); }
+    SUBCASE("motion by DEM") { restart_everywhere(bed_motion::dem); }
 }
