@@ -17,7 +17,8 @@ double recent_mean(const std::vector<double>& values, std::size_t count, std::si
 }
 
 std::size_t furnace::parts::window() const {
-    return static_cast<std::size_t>(std::max(10.0, std::ceil(0.1 * residence_time / process_step)));
+    const auto least = static_cast<std::size_t>(std::max(10.0, std::ceil(0.1 * residence_time / process_step))), turn = couplings_of_turn();
+    return (least + turn - 1) / turn * turn;
 }
 
 double furnace::parts::imbalance(std::size_t back) const {

@@ -140,10 +140,23 @@ void furnace::parts::move(double time) {
     fields.carry(passed, scene.particles.feed_temperature);
 }
 
+/// Of a recorded motion whole steps make a turn, or whole turns a step, so that means over turns do not feel that each
+/// coupling sees another frame.
 double furnace::parts::step_length() const {
     const int first = scene.time.couplings / 2;
     const double factor = scene.time.first_step_factor, steps = first * factor + (scene.time.couplings - first);
-    return scene.time.residence_times * residence_time / steps * (couplings < first ? factor : 1);
+    const double asked = scene.time.residence_times * residence_time / steps * (couplings < first ? factor : 1), turn = turn_length();
+    if (!(turn > 0)) return asked;
+    return asked < turn ? turn / std::ceil(turn / asked - 1e-9) : turn * std::floor(asked / turn);
+}
+
+double furnace::parts::turn_length() const {
+    const auto* recorded = dynamic_cast<const dem::recorded_bed*>(bed.get());
+    return recorded && scene.particles.mass_flow > 0 ? recorded->record().mass_of_turn() / scene.particles.mass_flow : 0;
+}
+
+std::size_t furnace::parts::couplings_of_turn() const {
+    return static_cast<std::size_t>(std::max(1L, std::lround(turn_length() / process_step)));
 }
 
 void furnace::parts::couple() {
@@ -159,6 +172,7 @@ void furnace::parts::couple() {
         fields.hottest[i] = std::max(fields.hottest[i], fields.temperature[i]);
         if (fields.temperature[i] > hot) fields.hot_seconds[i] += process_step;
     }
+    leap.watch(cloud(), process_step);  // where the parcels are when they meet the gas, however far they sink afterwards
     move(0.5 * process_step);
     process_time += process_step;
     ++couplings;
@@ -177,7 +191,6 @@ void furnace::parts::couple() {
     past.pressure_drop.push_back(pressure_drop());
     past.gas_missing.push_back(gas_report.mass.in + gas_report.mass.source - gas_report.mass.out);
     past.solid_missing.push_back((fed_mass - passed_mass - (bed->total_mass() - mass_before)) / process_step);
-    leap.watch(cloud(), process_step);
     judge();
     if (now != phase::report && leap.due(couplings, window())) lead_to_steady();
 }
@@ -185,7 +198,7 @@ void furnace::parts::couple() {
 /// Between two couplings: neither books nor balances see it.
 void furnace::parts::lead_to_steady() {
     measured.burners.mass_flow = shaft.burner_flow();
-    const std::vector<double> shift = leap.shift(measured);
+    const std::vector<double> shift = leap.shift(measured, couplings_of_turn());
     if (shift.empty()) return;
     ++leaps;
     const double height = scene.shaft.height;

@@ -110,6 +110,8 @@ struct furnace::parts {
     void ignite();
     void couple();
     double step_length() const;  ///< of the next coupling, by the process's clock [s]
+    double turn_length() const;  ///< of a recorded motion until it repeats, by the process's clock [s]; 0 of others
+    std::size_t couplings_of_turn() const;
     void judge();
     void lead_to_steady();
 

@@ -82,9 +82,10 @@ std::vector<double> steadying::enthalpy_over_height(std::size_t from, std::size_
     return found;
 }
 
-std::vector<double> steadying::shift(const settings& measured) {
-    const std::size_t all = times_.size(),
-                      half = (all - static_cast<std::size_t>(settling * static_cast<double>(all))) / 2;
+std::vector<double> steadying::shift(const settings& measured, std::size_t turn) {
+    const std::size_t all = times_.size();
+    std::size_t half = (all - static_cast<std::size_t>(settling * static_cast<double>(all))) / 2;
+    if (half > turn) half -= half % turn;
     const std::size_t late = all - half, early = late - half;
     const auto when = [&](std::size_t from) {
         return std::accumulate(&times_[from], &times_[from] + half, 0.0) / static_cast<double>(half);

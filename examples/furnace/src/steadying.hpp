@@ -19,13 +19,13 @@ class steadying {
   public:
     explicit steadying(const settings& scene);
 
-    /// The bed after a coupling, which took that time of the process [s].
+    /// The bed right after its exchange in a coupling that takes that time of the process [s].
     void watch(const parcels& bed, double step);
     /// Whether it is time for a shift; not in the last couplings planned, whose balance is the result.
     bool due(int couplings, std::size_t judged) const;
     /// By how much stones of each slice are to be warmed [K], or nothing; forgets what was watched.  `measured` has the
-    /// bed's void fraction.
-    std::vector<double> shift(const settings& measured);
+    /// bed's void fraction; after `turn` couplings its parcels lie as they lay.
+    std::vector<double> shift(const settings& measured, std::size_t turn);
 
     template <class Part>
     void each(Part&& part) {

@@ -195,6 +195,24 @@ TEST_CASE("recorded motion: mass flow is exact over time, nobody is lost, nobody
     }
 }
 
+TEST_CASE("recorded motion: in a turn the same mass is fed, however it is cut into steps") {
+    const double turn = tube().record->mass_of_turn();
+    for (const int steps : {7, 1000}) {
+        recorded_bed b = tube().repeat(flow);
+        double in = 0;
+        std::size_t turns = 0, place = 0;
+        while (turns < 3) {
+            in += b.advance(turn / flow / steps).mass_in;
+            if (b.now().place < place) ++turns;
+            place = b.now().place;
+        }
+        // Up to the frame that it stands at: what a few frames feed is what it can be ahead.
+        CHECK(in / turn >= 3 - 1e-12);
+        CHECK(in / turn < 3.5);
+        if (steps == 1000) CHECK(in / turn == doctest::Approx(3).epsilon(0.05));
+    }
+}
+
 TEST_CASE("recorded motion: particles sink from the surface to the bottom in mass over mass flow; what they carry comes along") {
     recorded_bed b = tube().repeat(flow);
     const double residence = b.total_mass() / flow;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <iterator>
 #include <cmath>
 #include <cstring>
 #include <numeric>
@@ -211,6 +212,20 @@ std::uint64_t recording::fingerprint() const {
     std::uint64_t sum = 0;
     std::memcpy(&sum, all.data() + all.size() - sizeof sum, sizeof sum);
     return sum;
+}
+
+double recording::mass_of_turn() const {
+    double fed = 0;
+    for (std::size_t k = 0; k + 1 < frames_.size(); ++k) {
+        std::vector<std::uint32_t> came;
+        std::set_difference(frames_[k + 1].slots.begin(), frames_[k + 1].slots.end(), frames_[k].slots.begin(), frames_[k].slots.end(),
+                            std::back_inserter(came));
+        for (const std::uint32_t slot : came) fed += masses_[slot];
+    }
+    for (std::size_t i = 0; i < wrap_.size(); ++i) {
+        if (wrap_[i] == passage::fed) fed += masses_[frames_.front().slots[i]];
+    }
+    return fed;
 }
 
 recorded_bed::recorded_bed(std::shared_ptr<const recording> record, surroundings around, double mass_flow,

@@ -61,6 +61,8 @@ class recording {
     const motion_field& field() const { return field_; }
     const seam& joint() const { return seam_; }
     std::uint64_t fingerprint() const;
+    /// Mass of those who are fed from the first frame until it comes again [kg]; over the mass flow: how long a turn takes.
+    double mass_of_turn() const;
     /// Spheres and masses of a frame.
     std::vector<sphere> spheres(std::size_t frame_number) const;
     std::vector<double> masses(std::size_t frame_number) const;
