@@ -67,6 +67,8 @@ void furnace::parts::use_bed(std::unique_ptr<dem::moving_bed> made) {
     }
     coarse_graining = 2 * volume / surface / sauter_diameter(scene);
     residence_time = scene.particles.mass_flow > 0 ? bed_mass / scene.particles.mass_flow : 3600.0;
+    const auto* recorded = dynamic_cast<const dem::recorded_bed*>(bed.get());
+    turn_length = recorded && scene.particles.mass_flow > 0 ? recorded->record().mass_of_turn() / scene.particles.mass_flow : 0;
     process_step = step_length();
     fields.start(static_cast<std::size_t>(bed->size()), scene.particles.feed_temperature);
 }
@@ -145,18 +147,13 @@ void furnace::parts::move(double time) {
 double furnace::parts::step_length() const {
     const int first = scene.time.couplings / 2;
     const double factor = scene.time.first_step_factor, steps = first * factor + (scene.time.couplings - first);
-    const double asked = scene.time.residence_times * residence_time / steps * (couplings < first ? factor : 1), turn = turn_length();
-    if (!(turn > 0)) return asked;
-    return asked < turn ? turn / std::ceil(turn / asked - 1e-9) : turn * std::floor(asked / turn);
-}
-
-double furnace::parts::turn_length() const {
-    const auto* recorded = dynamic_cast<const dem::recorded_bed*>(bed.get());
-    return recorded && scene.particles.mass_flow > 0 ? recorded->record().mass_of_turn() / scene.particles.mass_flow : 0;
+    const double asked = scene.time.residence_times * residence_time / steps * (couplings < first ? factor : 1);
+    if (!(turn_length > 0)) return asked;
+    return asked < turn_length ? turn_length / std::ceil(turn_length / asked - 1e-9) : turn_length * std::floor(asked / turn_length);
 }
 
 std::size_t furnace::parts::couplings_of_turn() const {
-    return static_cast<std::size_t>(std::max(1L, std::lround(turn_length() / process_step)));
+    return static_cast<std::size_t>(std::max(1L, std::lround(turn_length / process_step)));
 }
 
 void furnace::parts::couple() {

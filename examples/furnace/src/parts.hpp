@@ -110,7 +110,6 @@ struct furnace::parts {
     void ignite();
     void couple();
     double step_length() const;  ///< of the next coupling, by the process's clock [s]
-    double turn_length() const;  ///< of a recorded motion until it repeats, by the process's clock [s]; 0 of others
     std::size_t couplings_of_turn() const;
     void judge();
     void lead_to_steady();
@@ -168,6 +167,7 @@ struct furnace::parts {
     history past;
     steadying leap;
 
+    double turn_length = 0;  ///< of a recorded motion until it repeats, by the process's clock [s]; 0 of others
     double bed_mass = 0, residence_time = 0, process_step = 0, process_time = 0;
     double wall_loss = 0, stranded = 0;
     double clamped = 0;
