@@ -105,7 +105,7 @@ void describe(Settings& s, Key&& key) {
     key("time", "acceleration_factor", s.time.acceleration_factor, range{1, 1e4}, "Gamma, or \"auto\". The gas is at rest with the bed at every instant, so heat does not feel it; motion does, where DEM makes it. auto: the largest at which the bed moves quasi-statically, a fifth of sqrt(g d) (120 for stones of the paper's furnace)");
     key("time", "acceleration_tolerance", s.time.acceleration_tolerance, range{1e-6, 1}, "Error of a stone's temperature, over the step of the gas's that it follows, that auto allows Gamma to cause");
     key("time", "couplings", s.time.couplings, range{1, 1e7}, "Exchanges between gas and bed in all");
-    key("time", "residence_times", s.time.residence_times, range{0, 1000}, "Process time over the residence time of the solids; a little less where whole couplings are to make a turn of a recorded motion");
+    key("time", "residence_times", s.time.residence_times, range{1e-6, 1000}, "Process time over the residence time of the solids; a little less where whole couplings are to make a turn of a recorded motion");
     key("time", "first_step_factor", s.time.first_step_factor, range{1, 100}, "Steps of the first half of the couplings over those of the second: long ones first, for the shaft settles within hours, and short ones then, for exactness");
     key("time", "steadying_interval", s.time.steadying_interval, range{0, 1e7}, "Couplings after which what the bed still stores is taken from it by a step of Newton's in the one-dimensional model, for its slowest mode takes a residence time; 0: never, as in a transient that is to be followed");
     key("time", "start", s.time.start, range{}, "Where the temperatures start from");
