@@ -66,6 +66,7 @@
 #include <hearth/voidage/chebyshev.hpp>
 #include <hearth/voidage/deposit.hpp>
 #include <hearth/voidage/filtered_fraction.hpp>
+#include <hearth/voidage/filtered_fraction_settings.hpp>
 #include <hearth/voidage/footprints.hpp>
 #include <hearth/voidage/kernel_smoother.hpp>
 #include <hearth/voidage/lattice_stencil.hpp>
