@@ -33,6 +33,19 @@ inline settings coarse_column() {
     return scene;
 }
 
+/// The lowest 3 m of the paper's shaft with burners at 2 m, on cells of a height, half as high at the bottom and at the burners.
+inline settings short_shaft(int cells_across, double cell_height) {
+    settings scene;
+    scene.shaft.height = 3;
+    scene.shaft.hopper_height = 0.5;
+    scene.burners.height = 2;
+    scene.physics.combustion = burning::mixed_is_burnt;
+    scene.mesh.across = cells_across;
+    scene.mesh.axial_size = cell_height;
+    scene.mesh.axial_size_bottom = scene.mesh.axial_size_burners = 0.5 * cell_height;
+    return scene;
+}
+
 /// Without what a clock tells.
 inline saved_state timeless(saved_state state) {
     for (auto at = state.begin(); at != state.end();) at = at->first.compare(0, 8, "seconds/") == 0 ? state.erase(at) : std::next(at);

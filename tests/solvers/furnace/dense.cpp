@@ -18,19 +18,12 @@ constexpr double pi = 3.14159265358979323846;
 
 /// Three metres of the paper's shaft below a metre and a half of stones in the hopper, in parcels of six stones' width.
 settings shaft_with_hopper() {
-    settings scene;
-    scene.shaft.height = 3;
-    scene.shaft.hopper_height = 0.5;
+    settings scene = short_shaft(6, 0.2);
     scene.shaft.hopper_fill = 1.5;
-    scene.burners.height = 2;
     scene.bed.packing = bed_packing::dense;
     scene.bed.motion = bed_motion::plug;
     scene.bed.coarse_graining = 6;
     scene.bed.void_fraction = 0.46;
-    scene.physics.combustion = burning::mixed_is_burnt;
-    scene.mesh.across = 6;
-    scene.mesh.axial_size = 0.2;
-    scene.mesh.axial_size_bottom = scene.mesh.axial_size_burners = 0.1;
     scene.time.couplings = 6;
     scene.time.residence_times = 0.3;
     return scene;

@@ -16,17 +16,10 @@ namespace {
 
 /// The paper's furnace at a third of its height, with jets and a pipe in the side, that each lie on one rank.
 settings small_furnace() {
-    settings scene;
-    scene.shaft.height = 3;
-    scene.shaft.hopper_height = 0.5;
-    scene.burners.height = 2;
+    settings scene = short_shaft(6, 0.2);
     scene.bed.packing = bed_packing::lattice;
     scene.bed.motion = bed_motion::plug;
     scene.bed.coarse_graining = 8;
-    scene.physics.combustion = burning::mixed_is_burnt;
-    scene.mesh.across = 6;
-    scene.mesh.axial_size = 0.2;
-    scene.mesh.axial_size_bottom = scene.mesh.axial_size_burners = 0.1;
     scene.time.couplings = 4;
     scene.time.residence_times = 0.05;
     return scene;

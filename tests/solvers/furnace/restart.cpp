@@ -11,17 +11,11 @@ using namespace hearth::furnace;
 namespace {
 
 void restart_everywhere(bed_motion motion) {
-    settings scene;
-    scene.shaft.height = 3;
+    settings scene = short_shaft(4, 0.3);
     scene.shaft.hopper_height = 0;
-    scene.burners.height = 2;
     scene.bed.packing = bed_packing::dem;
     scene.bed.motion = motion;
     scene.bed.coarse_graining = 10;
-    scene.physics.combustion = burning::mixed_is_burnt;
-    scene.mesh.across = 4;
-    scene.mesh.axial_size = 0.3;
-    scene.mesh.axial_size_bottom = scene.mesh.axial_size_burners = 0.15;
     scene.time.acceleration_factor = 300;
     scene.time.couplings = 2;
     scene.time.residence_times = 0.05;

@@ -97,16 +97,9 @@ namespace {
 
 /// Three metres of the paper's shaft in parcels of ten stones' width, packed and moved by DEM.
 settings coarse_moving_shaft() {
-    settings scene;
-    scene.shaft.height = 3;
-    scene.shaft.hopper_height = 0.5;
-    scene.burners.height = 2;
+    settings scene = short_shaft(4, 0.3);
     scene.bed.motion = bed_motion::recorded;
     scene.bed.coarse_graining = 10;
-    scene.physics.combustion = burning::mixed_is_burnt;
-    scene.mesh.across = 4;
-    scene.mesh.axial_size = 0.3;
-    scene.mesh.axial_size_bottom = scene.mesh.axial_size_burners = 0.15;
     scene.time.couplings = 30;
     scene.time.residence_times = 1.5;
     scene.time.balance_tolerance = 1;
