@@ -19,7 +19,8 @@ inline void narrow_wall_layer(const gas::mesh& mesh, double radius, double heigh
                               const gas::parallel& ranks, std::vector<double>& solid) {
     std::vector<double> held(static_cast<std::size_t>(rings)), volume(held);
     const auto ring = [&](int c) {
-        const double share = std::hypot(mesh.centre[c].x, mesh.centre[c].y) / radius;
+        const double share =
+            std::sqrt(mesh.centre[c].x * mesh.centre[c].x + mesh.centre[c].y * mesh.centre[c].y) / radius;
         return static_cast<std::size_t>(std::clamp(static_cast<int>(share * rings), 0, rings - 1));
     };
     for (int c = 0; c < mesh.owned_cells(); ++c) {
@@ -29,7 +30,8 @@ inline void narrow_wall_layer(const gas::mesh& mesh, double radius, double heigh
     }
     ranks.sum(held.data(), rings);
     ranks.sum(volume.data(), rings);
-    const double mean = std::accumulate(held.begin(), held.end(), 0.0) / std::accumulate(volume.begin(), volume.end(), 0.0);
+    const double mean =
+        std::accumulate(held.begin(), held.end(), 0.0) / std::accumulate(volume.begin(), volume.end(), 0.0);
     for (int c = 0; c < mesh.owned_cells(); ++c) {
         if (mesh.centre[c].z > height || !(held[ring(c)] > 0)) continue;
         const double here = held[ring(c)] / volume[ring(c)];

@@ -95,7 +95,12 @@ class cell_bins {
                     const std::uint32_t end = starts_[row + static_cast<std::size_t>(last[0]) + 1];
                     for (std::uint32_t at = starts_[row + static_cast<std::size_t>(first[0])]; at < end; ++at) {
                         const placed_cell& p = cells_[at];
-                        visit(p.cell, seen_from(x, p.centre, shift), p.extent);
+                        const point offset = seen_from(x, p.centre, shift);
+                        double beyond = 0;
+                        for (std::size_t a = 0; a < 3; ++a) {
+                            beyond = std::max(beyond, std::fabs(offset[a]) - (radius + extents * p.extent[a]));
+                        }
+                        if (beyond <= 0) visit(p.cell, offset, p.extent);
                     }
                 }
             }

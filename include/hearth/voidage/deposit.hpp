@@ -23,14 +23,11 @@ namespace hearth::deposit {
 /// All volume to the cell that holds the centre.  Jumps when a centre crosses a face; for tests and comparisons, and
 /// for the paper's method (Spijker et al. 2023), where the VFS spreads it afterwards.
 struct centre {
-    template <class Locator>
-    sighting look(const Locator& locator, const visitor& v) const {
-        return {locator.find(v.position) >= 0, 0};
-    }
     template <class Locator, class Visit>
-    void for_each_weight(const Locator& locator, const visitor& v, double, Visit&& visit) const {
+    sighting for_each_weight(const Locator& locator, const visitor& v, Visit&& visit) const {
         const std::int32_t cell = locator.find(v.position);
         if (cell >= 0) visit(cell, 1.0);
+        return {cell >= 0, 0};
     }
 };
 
@@ -40,12 +37,8 @@ struct centre {
 struct divided {
     static constexpr int point_count = 29;
 
-    template <class Locator>
-    sighting look(const Locator& locator, const visitor& v) const {
-        return {locator.find(v.position) >= 0, 0};
-    }
     template <class Locator, class Visit>
-    void for_each_weight(const Locator& locator, const visitor& v, double, Visit&& visit) const {
+    sighting for_each_weight(const Locator& locator, const visitor& v, Visit&& visit) const {
         std::array<std::int32_t, point_count> cells{};
         std::array<int, point_count> hits{};
         std::size_t distinct = 0;
@@ -58,6 +51,7 @@ struct divided {
             ++hits[at];
         });
         for (std::size_t at = 0; at < distinct; ++at) visit(cells[at], hits[at] * (1.0 / point_count));
+        return {locator.find(v.position) >= 0, 0};
     }
 
     /// Visits the 29 points of a sphere.
@@ -109,44 +103,52 @@ struct ramp {
     /// w is no less than this, in widths.
     static constexpr double narrowest = 0.3;
 
-    template <class Locator>
-    sighting look(const Locator& locator, const visitor& v) const {
+    template <class Locator, class Visit>
+    sighting for_each_weight(const Locator& locator, const visitor& v, Visit&& visit) const {
         sighting seen{false, std::numeric_limits<double>::infinity()};
         const auto glance = [&](std::int32_t cell, const point& offset, const point& extent) {
             const place at(offset, extent, locator.graph().volume(cell), v.radius);
             seen.nearest = std::min(seen.nearest, at.depth);
             seen.inside = seen.inside || at.in_box;
+            return at;
         };
-        locator.for_each_near(v.position, v.radius, 1, glance);
+        const double cube = cube_of(v);
+        locator.for_each_near(
+            v.position, v.radius, 0.5 + reach, [&](std::int32_t cell, const point& offset, const point& extent) {
+                fill(glance(cell, offset, extent), 0, cell, locator.graph().volume(cell), cube, visit);
+            });
+        if (seen.nearest > reach) locator.for_each_near(v.position, v.radius, 1, glance);
         if (seen.nearest > deepest_in_box) locator.for_each_near(v.position, v.radius, Locator::widest, glance);
         if (!seen.inside) seen.inside = locator.find(v.position) >= 0;
         return seen;
     }
 
     template <class Locator, class Visit>
-    void for_each_weight(const Locator& locator, const visitor& v, double nearest, Visit&& visit) const {
-        if (nearest > deepest_sought) return centre{}.for_each_weight(locator, v, nearest, visit);
-        const double lowered = std::max(0.0, nearest);
-        const double cube = 8 * v.radius * v.radius * v.radius;
-        // s < h/2 + w/2 = R + (1/2 + narrowest width / 2) h at most, if R < h/2; else s < R + width h / 2, which is
-        // less.
-        locator.for_each_near(v.position, v.radius, 0.5 + 0.5 * narrowest * width + lowered,
+    void for_each_far_weight(const Locator& locator, const visitor& v, double nearest, Visit&& visit) const {
+        if (nearest > deepest_sought) {
+            centre{}.for_each_weight(locator, v, visit);
+            return;
+        }
+        const double cube = cube_of(v);
+        locator.for_each_near(v.position, v.radius, 0.5 + reach + nearest,
                               [&](std::int32_t cell, const point& offset, const point& extent) {
                                   const double volume = locator.graph().volume(cell);
-                                  const place at(offset, extent, volume, v.radius);
-                                  const double filled = std::min(0.5 - (at.depth - lowered) / at.width, 1.0);
-                                  if (filled <= 0) return;
-                                  visit(cell, filled * (volume / (volume + cube)));
+                                  fill(place(offset, extent, volume, v.radius), nearest, cell, volume, cube, visit);
                               });
     }
 
   private:
+    /// No cell is filled whose centre is further away than R + (1/2 + reach) of its extents, nor deeper than this:
+    /// s < h/2 + w/2 = R + (1/2 + narrowest width / 2) h at most, if R < h/2; else s < R + width h / 2, which is less.
+    static constexpr double reach = 0.5 * narrowest * width;
     static constexpr double deepest_in_box = 0.3661;  ///< of a tiny particle in the corner of a box: (sqrt(3) - 1) / 2
     /// A cell this deep is 1.8 extents away; with `lowered`, all that get a share are within `widest`.
     static constexpr double deepest_sought = 1.3;
     /// A corner of a box that was shrunk by this is no deeper than `deepest_sought`: s/h is sqrt(3).  A tetrahedron of
     /// six that make a cube takes 6^(1/3); an oblique thin layer would take more, and is taken for thicker.
     static constexpr double most_shrunk = 2;
+
+    static double cube_of(const visitor& v) { return 8 * v.radius * v.radius * v.radius; }
 
     /// Where a cell's centre is, seen from a particle.
     struct place {
@@ -175,6 +177,12 @@ struct ramp {
         double width;  ///< of the ramp, in chords
         bool in_box;   ///< the particle's centre is in the cell's box
     };
+
+    template <class Visit>
+    static void fill(const place& at, double lowered, std::int32_t cell, double volume, double cube, Visit& visit) {
+        const double filled = std::min(0.5 - (at.depth - lowered) / at.width, 1.0);
+        if (filled > 0) visit(cell, filled * (volume / (volume + cube)));
+    }
 };
 
 }  // namespace hearth::deposit

@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -32,8 +33,11 @@ struct sighting {
 /// sum to 1 to round-off, and neither storage order nor the number of ranks can change a bit of them.
 ///
 /// A policy (see deposit.hpp) offers, for a particle and the owned cells of a rank:
-///     sighting look(locator, visitor)                          does it stand in the mesh, and how near is the nearest
-///     cell void for_each_weight(locator, visitor, nearest, visit)   visit(cell, weight), nearest over all ranks
+///     sighting for_each_weight(locator, visitor, visit)   visit(cell, weight); does the particle stand in the mesh,
+///     and
+///                                                         how near is the nearest cell
+/// and where weights are others as soon as the nearest cell of all ranks is further than 0:
+///     void for_each_far_weight(locator, visitor, nearest, visit)
 ///
 /// Errors: bad_value as visitors has them, and for a particle whose centre is outside the mesh.  Thrown on every rank.
 template <class Communicator = serial_communicator>
@@ -47,22 +51,36 @@ class footprints {
     template <class Mesh, class Cloud, class Policy>
     footprints(const cell_locator<Mesh, Communicator>& locator, const Cloud& cloud, const Policy& policy)
         : visitors_(locator, cloud) {
-        const std::vector<double> nearest = look(locator, policy);
         rows_.reserve(visitors_.size() + 1);
         rows_.push_back(0);
+        std::vector<sighting> seen;
+        seen.reserve(visitors_.size());
         std::vector<limbs> partial;
         partial.reserve(visitors_.size());
         const reproducible_sum nothing(1.0, most_terms);
-        for (std::size_t k = 0; k < visitors_.size(); ++k) {
-            reproducible_sum sum = nothing;
-            policy.for_each_weight(locator, visitors_[k], nearest[k], [&](std::int32_t cell, double weight) {
-                const auto stored = static_cast<float>(weight);
-                if (!(stored > 0)) return;  // below the smallest float: nothing, whatever the other weights are
-                entries_.push_back({cell, stored});
-                sum.add(static_cast<double>(stored));
-            });
-            rows_.push_back(entries_.size());
-            partial.push_back(take_limbs(sum));
+        for (const visitor& v : visitors_) {
+            row next(*this, nothing);
+            seen.push_back(policy.for_each_weight(locator, v, next));
+            partial.push_back(next.end());
+        }
+        const std::vector<double> nearest = agree(seen);
+        if constexpr (sees_far<Policy, cell_locator<Mesh, Communicator>>::value) {
+            if (std::any_of(nearest.begin(), nearest.end(), is_far)) {
+                const std::vector<std::size_t> rows = std::exchange(rows_, {0});
+                const std::vector<entry> entries = std::exchange(entries_, {});
+                rows_.reserve(rows.size());
+                entries_.reserve(entries.size());
+                for (std::size_t k = 0; k < visitors_.size(); ++k) {
+                    if (is_far(nearest[k])) {
+                        row next(*this, nothing);
+                        policy.for_each_far_weight(locator, visitors_[k], nearest[k], next);
+                        partial[k] = next.end();
+                    } else {
+                        entries_.insert(entries_.end(), entries.data() + rows[k], entries.data() + rows[k + 1]);
+                        rows_.push_back(entries_.size());
+                    }
+                }
+            }
         }
         owner_scales_ = sum_over_ranks(nothing, partial);
         for (double& scale : owner_scales_) scale = 1 / scale;
@@ -115,12 +133,39 @@ class footprints {
 
     static limbs take_limbs(reproducible_sum& sum) { return {sum.limbs()[0], sum.limbs()[1], sum.limbs()[2]}; }
 
+    static bool is_far(double nearest) { return nearest > 0; }
+
+    /// Policies whose weights depend on how far the nearest cell is.
+    template <class Policy, class Locator, class = void>
+    struct sees_far : std::false_type {};
+    template <class Policy, class Locator>
+    struct sees_far<Policy, Locator,
+                    std::void_t<decltype(std::declval<const Policy&>().for_each_far_weight(
+                        std::declval<const Locator&>(), std::declval<const visitor&>(), 0.0,
+                        std::declval<void (&)(std::int32_t, double)>()))>> : std::true_type {};
+
+    /// The entries of the next visitor, and their sum.
+    class row {
+      public:
+        row(footprints& all, const reproducible_sum& nothing) : all_(all), sum_(nothing) {}
+        void operator()(std::int32_t cell, double weight) {
+            const auto stored = static_cast<float>(weight);
+            if (!(stored > 0)) return;  // below the smallest float: nothing, whatever the other weights are
+            all_.entries_.push_back({cell, stored});
+            sum_.add(static_cast<double>(stored));
+        }
+        limbs end() {
+            all_.rows_.push_back(all_.entries_.size());
+            return take_limbs(sum_);
+        }
+
+      private:
+        footprints& all_;
+        reproducible_sum sum_;
+    };
+
     /// Distance of the nearest cell for each visitor, agreed over the ranks that it visits.
-    template <class Mesh, class Policy>
-    std::vector<double> look(const cell_locator<Mesh, Communicator>& locator, const Policy& policy) const {
-        std::vector<sighting> seen;
-        seen.reserve(visitors_.size());
-        for (const visitor& v : visitors_) seen.push_back(policy.look(locator, v));
+    std::vector<double> agree(const std::vector<sighting>& seen) const {
         std::vector<std::uint8_t> inside(visitors_.owned_count(), 0);
         std::vector<double> nearest(visitors_.owned_count(), std::numeric_limits<double>::infinity());
         visitors_.take_back(seen, [&](std::size_t particle, const sighting& s) {
