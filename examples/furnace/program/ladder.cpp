@@ -84,7 +84,7 @@ std::string keys_of_kind(const std::string& kind) {
 
 int climb(const command_line& command) {
     const std::unique_ptr<rung> scene = read_rung(command.scene);
-    for (const std::string& assignment : command.assignments) scene->set_key(assignment);
+    scene->set_keys(command.assignments);
     if (!command.restart.empty()) {
         throw bad_scene(std::string("--restart: a scene of kind \"") + scene->kind() + "\" is short and writes no checkpoints");
     }

@@ -44,7 +44,7 @@ class session {
           among_(among),
           scene_(read_scene(command.scene)),
           line_(stdout, command.quiet || !tells()) {
-        for (const std::string& assignment : command.assignments) set_key(scene_, assignment);
+        set_keys(scene_, command.assignments);
         planned_ = foresee(scene_);
     }
 

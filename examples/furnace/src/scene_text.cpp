@@ -31,13 +31,14 @@ std::string read_text(const std::string& path) {
 
 toml::table parse_assignment(const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
-    if (equals == std::string::npos) throw bad_scene("--set: " + assignment + " is not KEY=VALUE");
+    if (equals == std::string::npos) throw bad_scene("--set " + assignment + ": is not KEY=VALUE");
     const std::string value = assignment.substr(equals + 1);
     const bool is_word =
         std::all_of(value.begin(), value.end(), [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; }) &&
         !value.empty() && std::isalpha(static_cast<unsigned char>(value[0])) != 0;
     const bool is_text = is_word && value != "true" && value != "false" && value != "inf" && value != "nan";
-    return parse_toml(is_text ? assignment.substr(0, equals + 1) + '"' + value + '"' : assignment, "--set");
+    return parse_toml(is_text ? assignment.substr(0, equals + 1) + '"' + value + '"' : assignment,
+                      "--set " + assignment);
 }
 
 std::uint64_t hash_of(std::string_view text) {

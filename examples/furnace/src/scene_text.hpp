@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "describe.hpp"
@@ -50,6 +51,16 @@ void read_into(Settings& scene, const toml::table& root, const origin& where) {
                                    read.read_list(path, items, members);
                                }});
     read.refuse_unknown();
+}
+
+/// Applies "key=value" one after the other, and checks what they make together once (check(scene)): they may come in
+/// any order.  Throws bad_scene, and changes nothing then.
+template <class Settings>
+void assign(Settings& scene, const std::vector<std::string>& assignments) {
+    Settings changed = scene;
+    for (const std::string& one : assignments) read_into(changed, parse_assignment(one), "--set " + one);
+    check(changed);
+    scene = std::move(changed);
 }
 
 template <class Value>

@@ -18,12 +18,7 @@ settings parse_scene(const std::string& text, const origin& where) {
 
 settings read_scene(const std::string& path) { return parse_scene(read_text(path), path); }
 
-void set_key(settings& scene, const std::string& assignment) {
-    settings changed = scene;
-    read_into(changed, parse_assignment(assignment), "--set");
-    check(changed);
-    scene = changed;
-}
+void set_keys(settings& scene, const std::vector<std::string>& assignments) { assign(scene, assignments); }
 
 void check(const settings& scene) {
     describe(scene, overloaded{[](std::string_view table, std::string_view name, const auto& value, const range& allowed, const char*) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <stdexcept>
 
 #include <hearth/gas/partition.hpp>
 
@@ -66,7 +68,24 @@ gas::solver_settings solver_settings_of(const settings& scene) {
     return s;
 }
 
-gas::mesh mesh_of(const settings& scene) { return gas::mesh(gas::renumbered(gas::make(shape_of(scene)))); }
+gas::polyhedra made(const gas::shaft& shape) {
+    try {
+        return gas::make(shape);
+    } catch (const std::invalid_argument& error) {
+        throw bad_scene(std::string("mesh: ") + error.what());
+    }
+}
+
+gas::mesh mesh_of(const settings& scene) { return gas::mesh(gas::renumbered(made(shape_of(scene)))); }
+
+std::int64_t cells_of(const gas::polyhedra& shape) { return 1 + *std::max_element(shape.owner.begin(), shape.owner.end()); }
+
+/// Heights of the levels between a shaft's layers of cells, rising [m].
+std::set<double> levels_of(const gas::polyhedra& shape) {
+    std::set<double> levels;
+    for (const gas::vector3& x : shape.points) levels.insert(x.z);
+    return levels;
+}
 
 gas::mesh share_of(gas::mesh whole, const ranks& among) {
     if (among.size() == 1) return whole;
@@ -77,6 +96,21 @@ gas::mesh share_of(gas::mesh whole, const ranks& among) {
 }
 
 }  // namespace
+
+std::int64_t cell_count_of(const settings& scene) {
+    // All layers are alike.  So the generator makes the section with as few layers as bed and pipe ask for, and then all
+    // layers, broken at the same heights, with the coarsest section that it knows.
+    gas::shaft section = shape_of(scene), column = section;
+    section.axial_size = {{0, section.profile.back().z}};
+    const gas::polyhedra flat = made(section);
+    const std::set<double> breaks = levels_of(flat);
+    column.profile.clear();
+    for (const double z : breaks) column.profile.push_back({z, 0.5 * scene.shaft.diameter});
+    column.cross_size = scene.shaft.diameter;
+    column.outlet = false;
+    const auto layers = [](const std::set<double>& levels) { return static_cast<std::int64_t>(levels.size()) - 1; };
+    return cells_of(flat) / layers(breaks) * layers(levels_of(made(column)));
+}
 
 shaft_gas::shaft_gas(const settings& scene, double parcel_diameter, const ranks& among)
     : scene_(scene),

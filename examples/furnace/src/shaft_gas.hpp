@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -87,5 +88,8 @@ class shaft_gas {
 double at_height(const std::vector<double>& values, double z, double shaft_height);
 
 gas::shaft shape_of(const settings& scene);
+
+/// Cells that the mesh of a scene will have, told without making it.  Throws bad_scene where there can be no mesh.
+std::int64_t cell_count_of(const settings& scene);
 
 }  // namespace hearth::furnace

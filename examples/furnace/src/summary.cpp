@@ -191,10 +191,7 @@ plan foresee(const settings& scene) {
     result.particles = static_cast<std::int64_t>(solid / stone);
     result.parcels = static_cast<std::int64_t>(solid / stone / std::pow(scene.bed.coarse_graining, 3));
     result.waiting = static_cast<std::int64_t>(static_cast<double>(result.parcels) * scene.shaft.hopper_fill / height);
-    const double layers = 1 / scene.mesh.axial_size_bottom + 0.6 / scene.mesh.axial_size_burners +
-                          std::max(0.0, height + scene.shaft.hopper_height - 1.6) / scene.mesh.axial_size;
-    const double across = scene.shaft.diameter / scene.mesh.across;
-    result.cells = static_cast<std::int64_t>(layers * pi * radius * radius / (across * across) * 1.4);  // the O-grid is finer at the wall
+    result.cells = cell_count_of(scene);
     result.couplings = scene.time.couplings;
     // Measured: 1.7 kB a cell and 2.5 kB a parcel with its neighbours; 40 us a cell and 15 us a parcel in a coupling.
     const auto cells = static_cast<double>(result.cells), parcels = static_cast<double>(result.parcels);

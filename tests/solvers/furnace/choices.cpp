@@ -44,13 +44,13 @@ TEST_CASE("Gamma: auto is what moves the bed quasi-statically, or 1 where heat i
     paper.bed.motion = bed_motion::plug;
     paper.mesh.axial_size = paper.mesh.axial_size_bottom = paper.mesh.axial_size_burners = 0.5;
     paper.mesh.across = 4;
-    set_key(paper, "time.acceleration_factor=auto");
+    set_keys(paper, {"time.acceleration_factor=auto"});
     CHECK(paper.time.acceleration_factor.automatic);
     CHECK(document(paper).find("acceleration_factor = \"auto\"") != std::string::npos);
     CHECK(hash(parse_scene(document(paper))) == hash(paper));
 
     settings scene = coarse_column();
-    set_key(scene, "time.acceleration_factor=auto");
+    set_keys(scene, {"time.acceleration_factor=auto"});
     const furnace column(scene);
     // 0.2 sqrt(g d): parcels of 2.2 times 17.6 mm; stones sink by 166.7 kg/h... 120/h over 3580 * 0.582 * 0.0227 m^2.
     const double d = 1 / (0.2 / 16e-3 + 0.3 / 17e-3 + 0.3 / 18e-3 + 0.2 / 19.5e-3);

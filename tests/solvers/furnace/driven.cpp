@@ -120,8 +120,8 @@ TEST_CASE("driven: a state that does not fit is refused and changes nothing; sce
         CHECK_THROWS_AS(shaft.restore(damaged), bad_scene);
         CHECK(same_bits(timeless(shaft.save()), timeless(good)));
     }
-    CHECK_THROWS_WITH_AS(set_key(scene, "bed.packing=lattice"),
+    CHECK_THROWS_WITH_AS(set_keys(scene, {"bed.packing=lattice"}),
                          "bed.motion is \"dem\", allowed with bed.packing = \"dem\": DEM moves what it has packed",
                          bad_scene);
-    CHECK_THROWS_AS(set_key(scene, "particles.mass_flow_kg_per_h=0"), bad_scene);
+    CHECK_THROWS_AS(set_keys(scene, {"particles.mass_flow_kg_per_h=0"}), bad_scene);
 }

@@ -15,7 +15,7 @@ namespace {
 
 std::unique_ptr<rung> scene(const std::string& kind, std::initializer_list<const char*> assignments = {}) {
     auto made = parse_rung("kind = \"" + kind + "\"");
-    for (const char* assignment : assignments) made->set_key(assignment);
+    made->set_keys({assignments.begin(), assignments.end()});
     return made;
 }
 
@@ -37,7 +37,7 @@ TEST_CASE("ladder: every kind has a document that reads back, a plan that says w
         const auto made = scene(kind.name);
         CHECK(made->kind() == kind.name);
         CHECK(parse_rung(made->document())->document() == made->document());
-        made->set_key("title=other");
+        made->set_keys({"title=other"});
         CHECK(hash(*made) != hash(*scene(kind.name)));
         CHECK(parse_rung(made->document())->title() == "other");
         const rung_plan planned = made->foresee();
@@ -45,7 +45,8 @@ TEST_CASE("ladder: every kind has a document that reads back, a plan that says w
         CHECK(planned.seconds > 0);
         CHECK(complaint("kind = \"" + kind.name + "\"\ntitel = \"x\"") ==
               "my.toml:2: titel is not a key of a scene; the nearest one is title");
-        CHECK_THROWS_WITH_AS(made->set_key("burners.count=3"), doctest::Contains("--set: burners"), bad_scene);
+        CHECK_THROWS_WITH_AS(made->set_keys({"burners.count=3"}), doctest::Contains("--set burners.count=3: burners"),
+                             bad_scene);
     }
 }
 

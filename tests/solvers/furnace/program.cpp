@@ -58,8 +58,10 @@ TEST_CASE("program: --help teaches every key, and what is wrong is told with its
     };
     CHECK(complaint({"no.toml"}) == "furnace: no.toml: cannot be opened: No such file or directory\n");
     CHECK(complaint({scene, "--set", "mesh.cells_acros=9"}) ==
-          "furnace: --set: mesh.cells_acros is not a key of a scene; the nearest one is mesh.cells_across\n");
-    CHECK(complaint({scene, "--set", "mesh.cells_across=1"}) == "furnace: --set: mesh.cells_across is 1, allowed: 4 to 1000\n");
+          "furnace: --set mesh.cells_acros=9: mesh.cells_acros is not a key of a scene; the nearest one is "
+          "mesh.cells_across\n");
+    CHECK(complaint({scene, "--set", "mesh.cells_across=1"}) ==
+          "furnace: --set mesh.cells_across=1: mesh.cells_across is 1, allowed: 4 to 1000\n");
     CHECK(complaint({scene, "--setup"}).find("--setup") != std::string::npos);
     CHECK(complaint({}).find("SCENE is required") != std::string::npos);
     std::ofstream(folder / "bad.toml") << "[burners]\ncount = 12\nheight_m = 800\n";

@@ -89,7 +89,8 @@ TEST_CASE("program on ranks: what is wrong is said once, and nobody waits") {
         CHECK(count_of(end.err, "furnace: ") == 1);
         CHECK_FALSE(fs::exists(output));
     };
-    said({scene, "--set", "mesh.cells_across=1"}, "furnace: --set: mesh.cells_across is 1, allowed: 4 to 1000\n", 2);
+    said({scene, "--set", "mesh.cells_across=1"},
+         "furnace: --set mesh.cells_across=1: mesh.cells_across is 1, allowed: 4 to 1000\n", 2);
     std::ofstream(folder / "foreign.h5") << std::string(5000, 'x');
     said({scene, "--restart", folder / "foreign.h5"}, "is no checkpoint, or one that was cut off\n", 3);
 
@@ -109,5 +110,6 @@ TEST_CASE("program on ranks: an error that one rank alone meets ends all, with i
                            {HEARTH_MPIEXEC, "-np", "1"});
     INFO(end.err);
     CHECK(end.code == 2);
-    CHECK(count_of(end.err, "furnace: rank 1: --set: mesh.cells_across is 1, allowed: 4 to 1000\n") == 1);
+    CHECK(count_of(end.err,
+                   "furnace: rank 1: --set mesh.cells_across=1: mesh.cells_across is 1, allowed: 4 to 1000\n") == 1);
 }

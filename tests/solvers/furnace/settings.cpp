@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <doctest/doctest.h>
-
+#include <algorithm>
 #include <string>
+#include <vector>
+
+#include <doctest/doctest.h>
 
 #include <hearth/furnace/settings.hpp>
 
@@ -91,20 +93,54 @@ TEST_CASE("scene: every mistake is told with its place, its value and what is al
     CHECK_THROWS_WITH_AS(read_scene("no/such/file.toml"), "no/such/file.toml: cannot be opened: No such file or directory", bad_scene);
 }
 
-TEST_CASE("scene: --set changes one key, or nothing") {
+TEST_CASE("scene: --set changes a key, or nothing") {
     settings scene;
-    set_key(scene, "mesh.cells_across=40");
+    set_keys(scene, {"mesh.cells_across=40"});
     CHECK(scene.mesh.across == 40);
-    set_key(scene, "bed.motion=plug");
-    set_key(scene, "bed.packing=\"lattice\"");
+    set_keys(scene, {"bed.motion=plug", "bed.packing=\"lattice\""});
     CHECK(scene.bed.packing == bed_packing::lattice);
-    set_key(scene, "bed.packing=dem");  // as a shell hands it over
+    set_keys(scene, {"bed.packing=dem"});  // as a shell hands it over
     CHECK(scene.bed.packing == bed_packing::dem);
-    set_key(scene, "physics.radiation=false");
+    set_keys(scene, {"physics.radiation=false"});
     CHECK_FALSE(scene.physics.radiation);
-    CHECK_THROWS_WITH_AS(set_key(scene, "bed.motion"), "--set: bed.motion is not KEY=VALUE", bad_scene);
-    CHECK_THROWS_WITH_AS(set_key(scene, "mesh.cells_across=1"), "--set: mesh.cells_across is 1, allowed: 4 to 1000", bad_scene);
+    CHECK_THROWS_WITH_AS(set_keys(scene, {"bed.motion"}), "--set bed.motion: is not KEY=VALUE", bad_scene);
+    CHECK_THROWS_WITH_AS(set_keys(scene, {"mesh.cells_across=1"}),
+                         "--set mesh.cells_across=1: mesh.cells_across is 1, allowed: 4 to 1000", bad_scene);
     CHECK(scene.mesh.across == 40);
+}
+
+TEST_CASE("scene: keys of --set that are right together are taken in any order, and one that is wrong is named") {
+    const std::vector<std::string> right{"bed.packing=dense", "bed.motion=plug", "shaft.hopper_fill_m=2"};
+    std::vector<std::string> order{right};
+    std::sort(order.begin(), order.end());
+    std::string first;
+    do {
+        settings scene;
+        set_keys(scene, order);
+        CHECK(scene.bed.packing == bed_packing::dense);
+        if (first.empty()) first = document(scene);
+        CHECK(document(scene) == first);
+    } while (std::next_permutation(order.begin(), order.end()));
+
+    settings scene;
+    const std::string before = document(scene);
+    const auto refused = [&](const std::string& wrong, const std::string& why) {
+        for (std::size_t at = 0; at <= right.size(); ++at) {
+            std::vector<std::string> all = right;
+            all.insert(all.begin() + static_cast<std::ptrdiff_t>(at), wrong);
+            CHECK_THROWS_WITH_AS(set_keys(scene, all), ("--set " + wrong + ": " + why).c_str(), bad_scene);
+        }
+        CHECK(document(scene) == before);
+    };
+    refused("bed.pcking=dem", "bed.pcking is not a key of a scene; the nearest one is bed.packing");
+    refused("bed.coarse_graining=11", "bed.coarse_graining is 11, allowed: 1 to 10");
+    refused("burners.count=many", "burners.count is not a whole number");
+    refused("physics.radiation=1", "physics.radiation is neither true nor false");
+    // Two that do not go together are told as what they are: a scene that is wrong, whoever said which part of it.
+    CHECK_THROWS_WITH_AS(set_keys(scene, {"bed.motion=recorded", "bed.packing=dense"}),
+                         doctest::Contains("bed.motion is \"recorded\", allowed with bed.packing = \"dem\""),
+                         bad_scene);
+    CHECK(document(scene) == before);
 }
 
 TEST_CASE("scene: its document reads back as the same scene, and its hash tells scenes apart") {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <hearth/furnace/rung.hpp>
 
@@ -36,12 +37,7 @@ class rung_of final : public rung {
     }
     const char* kind() const override { return Settings::kind; }
     const std::string& title() const override { return scene_.title; }
-    void set_key(const std::string& assignment) override {
-        Settings changed = scene_;
-        read_into(changed, parse_assignment(assignment), "--set");
-        check(changed);
-        scene_ = changed;
-    }
+    void set_keys(const std::vector<std::string>& assignments) override { assign(scene_, assignments); }
     std::string document() const override { return document_of(scene_); }
     rung_plan foresee() const override { return plan_of(scene_); }
     rung_result run(const watcher& watch) const override { return result_of(scene_, watch); }

@@ -58,8 +58,8 @@ class rung {
     virtual ~rung() = default;
     virtual const char* kind() const = 0;
     virtual const std::string& title() const = 0;
-    /// Applies `key=value`, the value as in a scene file.  Throws bad_scene, and changes nothing then.
-    virtual void set_key(const std::string& assignment) = 0;
+    /// As set_keys of settings.
+    virtual void set_keys(const std::vector<std::string>& assignments) = 0;
     /// Every key with its value, meaning and range, as a file that reads back.
     virtual std::string document() const = 0;
     virtual rung_plan foresee() const = 0;

@@ -151,8 +151,9 @@ using origin = std::string;
 settings read_scene(const std::string& path);
 /// The same from text, as a scene file would hold it.
 settings parse_scene(const std::string& text, const origin& where = "scene");
-/// Applies `key=value`, the value as in a scene file.  Throws bad_scene.
-void set_key(settings& scene, const std::string& assignment);
+/// Applies each `key=value`, the value as in a scene file, then checks the whole scene: their order is of no account.
+/// Throws bad_scene, and changes nothing then.
+void set_keys(settings& scene, const std::vector<std::string>& assignments);
 /// Checks what a single key cannot tell: zones that overlap, burners above the shaft, shares that do not sum to 1.
 void check(const settings& scene);
 /// The scene as a file that read_scene reads back, with the meaning and range of every key.
