@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The READMEs cannot rot.  In every README.md of the tree
+// The READMEs and the pages beside them cannot rot.  In every .md of the tree
 //   - a block of C++ or CMake stands below a line `<!-- FILE -->` or `<!-- FILE: REGION -->` and is, word for word, that
 //     file without its licence line, or the part of it between two lines `// [REGION]` (`# [REGION]` in CMake);
 //   - a preset that a shell block names is a workflow preset;
@@ -76,7 +76,7 @@ std::vector<std::string> workflows() {
     return names;
 }
 
-/// What is wrong with a README that stands in `folder`.
+/// What is wrong with a page that stands in `folder`.
 std::vector<std::string> problems(const std::vector<std::string>& readme, const fs::path& folder) {
     std::vector<std::string> found;
     const auto report = [&](std::size_t line, const std::string& what) {
@@ -131,17 +131,17 @@ std::vector<std::string> problems(const std::string& readme) {
 }  // namespace
 
 TEST_CASE("readme: every block of code is part of a file of the tree, every preset and link exists") {
-    int readmes = 0;
+    int pages = 0;
     for (auto file = fs::recursive_directory_iterator(root); file != fs::recursive_directory_iterator(); ++file) {
         const std::string name = file->path().filename().string();
         if (file->is_directory() && (name == "build" || name.front() == '.')) file.disable_recursion_pending();
-        if (name != "README.md") continue;
-        ++readmes;
+        if (file->path().extension() != ".md") continue;
+        ++pages;
         for (const std::string& problem : problems(read(file->path()), file->path().parent_path())) {
             FAIL_CHECK(fs::relative(file->path(), root).string() << " " << problem);
         }
     }
-    CHECK(readmes >= 2);
+    CHECK(pages >= 2);
 }
 
 TEST_CASE("readme: the check finds what it must find") {
