@@ -195,12 +195,16 @@ void furnace::parts::couple() {
 /// Between two couplings: neither books nor balances see it.
 void furnace::parts::lead_to_steady() {
     measured.burners.mass_flow = shaft.burner_flow();
-    const std::vector<double> shift = leap.shift(measured, couplings_of_turn());
-    if (shift.empty()) return;
+    const steadying::leap by = leap.shift(measured, couplings_of_turn());
+    if (by.halved) ++halved_leaps;
+    if (by.shift.empty()) return;
     ++leaps;
     const double height = scene.shaft.height;
     const auto warm = [&](double& temperature, double z) {
-        temperature = std::clamp(temperature + at_height(shift, z, height), 200.0, 3400.0);
+        const double wanted = temperature + at_height(by.shift, z, height), slack = at_height(by.slack, z, height);
+        temperature = std::clamp(wanted, std::max(200.0, std::min(temperature, by.range.coldest - slack)),
+                                 std::min(3400.0, std::max(temperature, by.range.hottest + slack)));
+        if (temperature != wanted) ++held;
     };
     for (std::size_t i = 0; i < fields.temperature.size(); ++i) {
         const double z = bed->spheres()[i].centre.z;

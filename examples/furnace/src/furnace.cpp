@@ -21,6 +21,8 @@ void furnace::parts::each_part(Part&& part) {
     };
     part("couplings", couplings);
     part("leaps", leaps);
+    part("halved_leaps", halved_leaps);
+    part("held", held);
     part("process_time", process_time);
     part("bed_mass", bed_mass);
     part("coarse_graining", coarse_graining);

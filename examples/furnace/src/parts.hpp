@@ -3,6 +3,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -171,7 +172,8 @@ struct furnace::parts {
     double bed_mass = 0, residence_time = 0, process_step = 0, process_time = 0;
     double wall_loss = 0, stranded = 0;
     double clamped = 0;
-    int couplings = 0, leaps = 0;
+    int couplings = 0, leaps = 0, halved_leaps = 0;
+    std::int64_t held = 0;  ///< times that a stone or a ring of the wall was held where a leap would have led it beyond what is steady
     bool converged = false;
     std::vector<double> product_hottest, product_hot_seconds;  // of watched parcels that left
     double fed_mass = 0, passed_mass = 0, passed_enthalpy = 0, passed_over_feed = 0;  // of this coupling

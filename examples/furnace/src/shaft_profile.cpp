@@ -206,6 +206,37 @@ class shaft {
         return {heat, entering - heat, h};
     }
 
+  public:
+    temperature_range range() const {
+        temperature_range found{std::min(scene_.air.temperature, scene_.particles.feed_temperature),
+                                std::max({scene_.air.temperature, scene_.particles.feed_temperature, flame()})};
+        if (burner_gas_.mass > 0) found.coldest = std::min(found.coldest, scene_.burners.temperature);
+        for (std::size_t k = 0; k < cells_; ++k) {
+            if (!(losses_[k] > 0)) continue;
+            found.coldest = std::min(found.coldest, ambients_[k]);
+            found.hottest = std::max(found.hottest, ambients_[k]);
+        }
+        return found;
+    }
+
+  private:
+    /// Of the burners' gas, completely burnt with air as hot as itself where it lacks oxygen [K].
+    double flame() const {
+        if (!(burner_gas_.mass > 0)) return 0;
+        const gas_flow air(air_moles(std::max(0.0, 2 * burner_gas_.moles[chem::CH4] - burner_gas_.moles[chem::O2]) / 0.21));
+        chem::per_species all = burner_gas_.moles;
+        for (std::size_t i = 0; i < chem::species_count; ++i) all[i] += air.moles[i];
+        all[chem::O2] = std::max(all[chem::O2], 2 * all[chem::CH4]);  // not a rounding less
+        const gas_flow burnt = gas_flow(all).burnt();
+        const double brought = burner_gas_.heat.enthalpy(scene_.burners.temperature);
+        double low = scene_.burners.temperature, high = 5000;
+        for (int pass = 0; pass < 60; ++pass) {
+            const double middle = 0.5 * (low + high);
+            (burnt.heat.enthalpy(middle) - air.heat.enthalpy(middle) < brought ? low : high) = middle;
+        }
+        return high;
+    }
+
     void set_gas() {
         const double air = scene_.air.volume_flow * 101325 / (chem::gas_constant * 273.15);  // [mol/s]
         gas_below_ = gas_flow(air_moles(air));
@@ -218,8 +249,8 @@ class shaft {
         const double from = scene_.burners.height - 0.05, to = scene_.burners.height + 0.05;
         chem::per_species fed{};
         fed_.assign(cells_, 0);
-        const gas_flow whole(mixture);
-        const double fed_enthalpy = whole.heat.enthalpy(scene_.burners.temperature);
+        burner_gas_ = gas_flow(mixture);
+        const double fed_enthalpy = burner_gas_.heat.enthalpy(scene_.burners.temperature);
         for (std::size_t k = 0; k < cells_; ++k) {
             const double low = static_cast<double>(k) * dz_;
             const double part = std::clamp((std::min(low + dz_, to) - std::max(low, from)) / (to - from), 0.0, 1.0);
@@ -254,7 +285,7 @@ class shaft {
     const settings& scene_;
     std::size_t cells_;
     double dz_, section_ = 0, diameter_ = 0, surface_ = 0, bottom_pressure_ = 0, fuel_power_ = 0, fed_total_ = 0;
-    gas_flow gas_below_;
+    gas_flow gas_below_, burner_gas_;
     std::vector<gas_flow> gas_;
     std::vector<double> fed_, losses_, ambients_, pressure_;
 };
@@ -316,6 +347,8 @@ shaft_profile solve_shaft_profile(const settings& scene, int cells) {
     profile.converged = found.converged;
     return profile;
 }
+
+temperature_range steady_range(const settings& scene) { return shaft(scene, 100).range(); }
 
 std::vector<double> shift_to_steady(const settings& scene, const std::vector<double>& particle_temperature,
                                     const std::vector<double>& storage) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include <hearth/furnace/shaft_profile.hpp>
 #include <hearth/furnace/spinel.hpp>
 
 #include "packing.hpp"
@@ -82,7 +81,7 @@ std::vector<double> steadying::enthalpy_over_height(std::size_t from, std::size_
     return found;
 }
 
-std::vector<double> steadying::shift(const settings& measured, std::size_t turn) {
+steadying::leap steadying::shift(const settings& measured, std::size_t turn) {
     const std::size_t all = times_.size();
     std::size_t half = (all - static_cast<std::size_t>(settling * static_cast<double>(all))) / 2;
     if (half > turn) half -= half % turn;
@@ -93,13 +92,29 @@ std::vector<double> steadying::shift(const settings& measured, std::size_t turn)
     const std::vector<double> before = enthalpy_over_height(early, late), after = enthalpy_over_height(late, all),
                               mass = sum(mass_, early, all);
     const double time = when(late) - when(early), slice = height_ / static_cast<double>(slices_);
-    std::vector<double> temperature(slices_), storage(slices_);
+    std::vector<double> temperature(slices_), storage(slices_), slack(slices_);
     for (std::size_t k = 0; k < slices_; ++k) {
         storage[k] = (after[k] - before[k]) / time * mass[k] / static_cast<double>(all - early) / slice;
         temperature[k] = spinel::temperature(after[k]);
+        slack[k] = std::abs(temperature[k] - spinel::temperature(before[k]));
     }
     for (auto* sums : {&mass_, &enthalpy_, &height_moment_, &times_}) sums->clear();
-    return shift_to_steady(measured, temperature, storage);
+    leap found{shift_to_steady(measured, temperature, storage), slack, steady_range(measured)};
+    const auto leads_beyond = [&](double share) {
+        for (std::size_t k = 0; k < found.shift.size(); ++k) {
+            const double t = temperature[k], moved = t + share * found.shift[k];
+            if (moved < std::min(t, found.range.coldest - slack[k]) ||
+                moved > std::max(t, found.range.hottest + slack[k]))
+                return true;
+        }
+        return false;
+    };
+    double share = 1;
+    while (share > 1e-3 && leads_beyond(share)) share *= 0.5;
+    found.halved = share < 1;
+    if (share <= 1e-3) found.shift.clear();
+    for (double& kelvin : found.shift) kelvin *= share;
+    return found;
 }
 
 }  // namespace hearth::furnace

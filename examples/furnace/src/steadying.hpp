@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <hearth/furnace/settings.hpp>
+#include <hearth/furnace/shaft_profile.hpp>
 
 #include "stones.hpp"
 
@@ -25,7 +26,18 @@ class steadying {
     bool due(int couplings, std::size_t judged) const;
     /// By how much stones of each slice are to be warmed [K], or nothing; forgets what was watched.  `measured` has the
     /// bed's void fraction; after `turn` couplings its parcels lie as they lay.
-    std::vector<double> shift(const settings& measured, std::size_t turn);
+    ///
+    /// A leap is bounded: a steady stone is neither colder nor hotter than steady_range says, so a leap that would
+    /// bring a slice beyond it shows that the model does not carry so far, and is halved until it brings none there,
+    /// and left out where a thousandth of it would.  Single stones of a slice are to be held there.  What lies beyond
+    /// already may stay, and what the window saw a slice's temperature change by may come on top: so much it cannot
+    /// tell from standing still.
+    struct leap {
+        std::vector<double> shift, slack;  ///< of each slice [K]
+        temperature_range range;
+        bool halved = false;
+    };
+    leap shift(const settings& measured, std::size_t turn);
 
     template <class Part>
     void each(Part&& part) {

@@ -39,3 +39,15 @@ TEST_CASE("foresee: a shaft that has no mesh is refused before anything is built
     set_keys(scene, {"shaft.offgas_pipe_diameter_m=0.01"});
     CHECK_THROWS_WITH_AS(foresee(scene), doctest::Contains("mesh: "), bad_scene);
 }
+
+TEST_CASE("foresee: stones in the hopper cost memory of their own") {
+    settings scene = short_shaft(4, 0.2);
+    set_keys(scene, {"bed.packing=dense", "bed.motion=plug"});
+    const plan without = foresee(scene);
+    set_keys(scene, {"shaft.hopper_fill_m=3"});  // as many as in the shaft
+    const plan with = foresee(scene);
+    CHECK(with.waiting == with.parcels);
+    CHECK(with.parcels == without.parcels);
+    // A parcel is its sphere, mass and fields at least: 20 numbers.
+    CHECK(with.memory - without.memory > 160.0 * static_cast<double>(with.waiting));
+}

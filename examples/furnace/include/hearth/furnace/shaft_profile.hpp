@@ -34,6 +34,15 @@ struct shaft_profile {
 /// Throws bad_scene for a scene that it cannot describe: fuel left over above the burners.
 shaft_profile solve_shaft_profile(const settings& scene, int cells = 2000);
 
+/// Between these no stone of a steady shaft can be colder or hotter [K]: the coldest and hottest of what enters and of what
+/// surrounds the walls, and the flame of the burners' gas.  Each gas mixes from others and each stone takes its heat from gas
+/// and stones beside it, so the extremes are where heat or matter comes in; air that makes up for oxygen that a rich gas lacks
+/// counts as hot as the flame.
+struct temperature_range {
+    double coldest, hottest;
+};
+temperature_range steady_range(const settings& scene);
+
 /// How far the particles of a shaft are from steady ones [K], one value for each cell over the height, as many as are given.
 /// The shaft is any that the model resembles: a finer one, say, whose particles have these temperatures [K] and still store
 /// heat [W/m].  What it stores beyond what the model says of the same temperatures is kept as a source, so where nothing is

@@ -46,6 +46,8 @@ struct summary {
     number stranded_volume;                  ///< solid that no cell could take [m^3]
     number clamped_evaluations;              ///< closures outside of their range and gas outside of its tables
     number steadying_leaps;                  ///< towards the steady state [-]
+    number steadying_leaps_halved;           ///< or left out, as they led slices of the bed beyond what can be steady [-]
+    number steadying_held;                   ///< times that a stone or ring was held where a leap led it there [-]
     number acceleration_factor;              ///< Gamma, also where the scene left it to the program [-]
     number coupling_time_over_allowance;     ///< voidage and transfer, time of all ranks over 0.5 us a cell and 2 us a parcel for each coupling [-]
     number coupling_share;                   ///< of the wall time: voidage and transfer [-]
@@ -100,6 +102,8 @@ void for_each_number(Summary& s, Visit&& visit) {
     visit("stranded_volume_m3", s.stranded_volume);
     visit("clamped_evaluations", s.clamped_evaluations);
     visit("steadying_leaps", s.steadying_leaps);
+    visit("steadying_leaps_halved", s.steadying_leaps_halved);
+    visit("steadying_held", s.steadying_held);
     visit("acceleration_factor", s.acceleration_factor);
     visit("coupling_time_over_allowance", s.coupling_time_over_allowance);
     visit("coupling_share", s.coupling_share);
