@@ -104,6 +104,26 @@ TEST_CASE("driven: flow and mass are exact, heat closes, and the shaft is as hot
     CHECK(std::abs(driven.product - recorded.product) < 30);
 }
 
+TEST_CASE("driven: a feed faster than it finds room for is told, with what waits; mass is exact all the same") {
+    settings scene = moving_shaft(bed_motion::dem);
+    scene.shaft.height = 1;
+    scene.burners.height = 0.6;
+    scene.time.couplings = 4;
+    const auto told = [&](double acceleration_factor) {
+        scene.time.acceleration_factor = acceleration_factor;
+        furnace shaft(scene);
+        run_couplings(shaft, scene.time.couplings);
+        const summary books = shaft.summarise();
+        CHECK(std::abs(*books.solid_mass_imbalance) < 1e-12);
+        return std::count_if(books.warnings.begin(), books.warnings.end(), [](const std::string& warning) {
+            return warning.find("the feed has found no room for ") == 0 && warning.find("time.acceleration_factor") != std::string::npos;
+        });
+    };
+    CHECK(told(200) == 0);
+    // Parcels cannot fall in as fast as this bed sinks: at 2000 they still could.
+    CHECK(told(4500) == 1);
+}
+
 TEST_CASE("driven: a state that does not fit is refused and changes nothing; scenes without DEM or flow are refused") {
     settings scene = moving_shaft(bed_motion::dem);
     scene.shaft.height = 1;
