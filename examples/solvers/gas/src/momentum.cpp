@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <hearth/gas/flow.hpp>
-#include <hearth/gas/transport.hpp>
 
 namespace hearth::gas {
 
@@ -14,10 +13,6 @@ vector3 across(const vector3* g, const vector3& s) { return {dot(g[0], s), dot(g
 
 /// (grad w)^T . s
 vector3 transposed(const vector3* g, const vector3& s) { return s.x * g[0] + s.y * g[1] + s.z * g[2]; }
-
-/// Viscosity between two free cells: where it grows linearly, as in a logarithmic layer, the same stress goes through all of
-/// the way with the logarithmic mean.  Bed cells have none.
-double between(double a, double b) { return a > 0 && b > 0 ? logarithmic_mean(a, b) : 0; }
 
 }  // namespace
 
@@ -50,8 +45,7 @@ void flow::assemble_momentum(const flow_state& state, const flow_medium& medium,
         if (!medium.particle_velocity.empty())
             source_[c] += drag * medium.void_fraction[c] * medium.particle_velocity[c];
         if (!settings.inertia) resistance_[c] = diagonal = std::max(diagonal, settings.resistance_floor * v);
-        // Newton's step, be flow or pressure given: against changes a quadratic law resists twice
-        relax_[c] = medium.exchange_power.empty() ? 0 : medium.exchange_power[c] * drag;
+        relax_[c] = drag;  // against changes a quadratic law resists twice: Newton's step, be flow or pressure given
         if (!settings.inertia) continue;
         relax_[c] = std::max(relax_[c] + (1 - settings.relaxation) / settings.relaxation * (diagonal - drag),
                              settings.resistance_floor * v);
@@ -85,7 +79,7 @@ void flow::add_convection_and_diffusion(const flow_state& state, const flow_medi
         const double ip = inverse_void_[p], iq = inverse_void_[q];
         const double inverse_void = weight * ip + (1 - weight) * iq;  // w is continuous: so u is at the face
         const double mu_p = medium.viscosity[p], mu_q = medium.viscosity[q];
-        const double viscosity = between(mu_p, mu_q);
+        const double viscosity = mu_p > 0 && mu_q > 0 ? 2 * mu_p * mu_q / (mu_p + mu_q) : 0;
         const double diffusion = viscosity * m.conductance[f];
         const double into_p = std::max(-flux, 0.0) * inverse_void + diffusion;
         const double into_q = std::max(flux, 0.0) * inverse_void + diffusion;

@@ -42,8 +42,6 @@ void solver::update_medium() {
     medium_.gravity = settings.gravity;
     array<double>& viscosity = work_.diffusivity;
     medium_.viscosity = viscosity;
-    array<double>& power = work_.right;  // free until the momentum has been assembled
-    medium_.exchange_power = power;
     for (int c = 0; c < m.cells(); ++c) {
         const double e = bed.void_fraction[c];
         free_[c] = 1 - e <= settings.bed_threshold;
@@ -52,19 +50,14 @@ void solver::update_medium() {
         double mass = 0;
         for (int k = 0; k < species_; ++k) mass += sources.species[species_ * c + k];
         medium_.mass_source[c] = mass;
-        power[c] = 0;
         if (!bed.exchange.empty()) {
             medium_.exchange[c] = bed.exchange[c];
             continue;
         }
-        medium_.exchange[c] = 0;
-        if (free_[c]) continue;
         vector3 slip = 1 / e * gas.flow.velocity[c];
         if (!bed.particle_velocity.empty()) slip -= bed.particle_velocity[c];
-        const double speed = norm(slip), more = 1e-4;  // of the speed: the slope by a difference, its own error without effect
-        const auto drag = [&](double v) { return settings.drag({e, v, gas.density[c], gas.viscosity[c], bed.diameter[c]}); };
-        const double exchange = medium_.exchange[c] = drag(speed);
-        if (exchange > 0) power[c] = std::clamp((drag((1 + more) * speed) / exchange - 1) / more, 0.0, 2.0);
+        medium_.exchange[c] =
+            free_[c] ? 0 : settings.drag({e, norm(slip), gas.density[c], gas.viscosity[c], bed.diameter[c]});
     }
     ranks_->gather(medium_.exchange.data(), 1);
     for (int f = m.internal_faces(); f < m.faces(); ++f) {

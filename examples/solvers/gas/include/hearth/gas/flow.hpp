@@ -16,9 +16,6 @@ struct flow_medium {
     view<double> void_fraction;       ///< [-]
     view<double> viscosity;           ///< effective; 0 in the bed, where the drag holds all friction [Pa s]
     array<double> exchange;           ///< drag on the particles per slip of the interstitial gas [kg/(m^3 s)]
-    /// d(ln exchange)/d(ln slip): 0 for a linear law, 1 for a quadratic one; empty: linear.  Only how fast the iteration
-    /// converges depends on it. [-]
-    view<double> exchange_power;
     view<vector3> particle_velocity;  ///< empty: they rest [m/s]
     array<double> mass_source;        ///< [kg/s] per cell
     view<vector3> momentum_source;    ///< with the mass source, and any other force; empty: none [N] per cell

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
 
 #include <hearth/gas/array.hpp>
 #include <hearth/gas/gradient.hpp>
@@ -9,10 +8,6 @@
 #include <hearth/gas/mesh.hpp>
 
 namespace hearth::gas {
-
-/// Logarithmic mean (a - b)/ln(a/b) of two numbers > 0 within 1e-3 for ratios up to 4; between the geometric and the
-/// arithmetic mean for any (Carlson 1972, doi:10.1080/00029890.1972.11993095).
-inline double logarithmic_mean(double a, double b) { return (a + b + 4 * std::sqrt(a * b)) / 6; }
 
 /// Whether gas that leaves through a boundary with a given value takes it: where conduction outweighs convection.
 inline bool leaves_with_given_value(double mass_flux, double boundary_diffusion) {
