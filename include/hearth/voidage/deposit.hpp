@@ -142,7 +142,7 @@ struct ramp {
     /// s < h/2 + w/2 = R + (1/2 + narrowest width / 2) h at most, if R < h/2; else s < R + width h / 2, which is less.
     static constexpr double reach = 0.5 * narrowest * width;
     static constexpr double deepest_in_box = 0.3661;  ///< of a tiny particle in the corner of a box: (sqrt(3) - 1) / 2
-    /// A cell this deep is 1.8 extents away; with `lowered`, all that get a share are within `widest`.
+    /// A cell this deep is 1.8 extents away; lowered by that, all that get a share are within `widest`.
     static constexpr double deepest_sought = 1.3;
     /// A corner of a box that was shrunk by this is no deeper than `deepest_sought`: s/h is sqrt(3).  A tetrahedron of
     /// six that make a cube takes 6^(1/3); an oblique thin layer would take more, and is taken for thicker.

@@ -33,11 +33,9 @@ struct sighting {
 /// sum to 1 to round-off, and neither storage order nor the number of ranks can change a bit of them.
 ///
 /// A policy (see deposit.hpp) offers, for a particle and the owned cells of a rank:
-///     sighting for_each_weight(locator, visitor, visit)   visit(cell, weight); does the particle stand in the mesh,
-///     and
-///                                                         how near is the nearest cell
-/// and where weights are others as soon as the nearest cell of all ranks is further than 0:
-///     void for_each_far_weight(locator, visitor, nearest, visit)
+///     sighting for_each_weight(locator, visitor, visit)            visit(cell, weight)
+/// and where weights are others as soon as the nearest cell of all ranks is further than 0
+///     void for_each_far_weight(locator, visitor, nearest, visit)   for those particles, in place of the first
 ///
 /// Errors: bad_value as visitors has them, and for a particle whose centre is outside the mesh.  Thrown on every rank.
 template <class Communicator = serial_communicator>
@@ -65,22 +63,8 @@ class footprints {
         }
         const std::vector<double> nearest = agree(seen);
         if constexpr (sees_far<Policy, cell_locator<Mesh, Communicator>>::value) {
-            if (std::any_of(nearest.begin(), nearest.end(), is_far)) {
-                const std::vector<std::size_t> rows = std::exchange(rows_, {0});
-                const std::vector<entry> entries = std::exchange(entries_, {});
-                rows_.reserve(rows.size());
-                entries_.reserve(entries.size());
-                for (std::size_t k = 0; k < visitors_.size(); ++k) {
-                    if (is_far(nearest[k])) {
-                        row next(*this, nothing);
-                        policy.for_each_far_weight(locator, visitors_[k], nearest[k], next);
-                        partial[k] = next.end();
-                    } else {
-                        entries_.insert(entries_.end(), entries.data() + rows[k], entries.data() + rows[k + 1]);
-                        rows_.push_back(entries_.size());
-                    }
-                }
-            }
+            if (std::any_of(nearest.begin(), nearest.end(), is_far))
+                weigh_far(locator, policy, nearest, nothing, partial);
         }
         owner_scales_ = sum_over_ranks(nothing, partial);
         for (double& scale : owner_scales_) scale = 1 / scale;
@@ -163,6 +147,26 @@ class footprints {
         footprints& all_;
         reproducible_sum sum_;
     };
+
+    /// Makes the rows of far visitors anew, and keeps the others.
+    template <class Locator, class Policy>
+    void weigh_far(const Locator& locator, const Policy& policy, const std::vector<double>& nearest,
+                   const reproducible_sum& nothing, std::vector<limbs>& partial) {
+        const std::vector<std::size_t> rows = std::exchange(rows_, {0});
+        const std::vector<entry> entries = std::exchange(entries_, {});
+        rows_.reserve(rows.size());
+        entries_.reserve(entries.size());
+        for (std::size_t k = 0; k < visitors_.size(); ++k) {
+            if (is_far(nearest[k])) {
+                row next(*this, nothing);
+                policy.for_each_far_weight(locator, visitors_[k], nearest[k], next);
+                partial[k] = next.end();
+            } else {
+                entries_.insert(entries_.end(), entries.data() + rows[k], entries.data() + rows[k + 1]);
+                rows_.push_back(entries_.size());
+            }
+        }
+    }
 
     /// Distance of the nearest cell for each visitor, agreed over the ranks that it visits.
     std::vector<double> agree(const std::vector<sighting>& seen) const {
