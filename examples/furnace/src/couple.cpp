@@ -201,9 +201,8 @@ void furnace::parts::lead_to_steady() {
     ++leaps;
     const double height = scene.shaft.height;
     const auto warm = [&](double& temperature, double z) {
-        const double wanted = temperature + at_height(by.shift, z, height), slack = at_height(by.slack, z, height);
-        temperature = std::clamp(wanted, std::max(200.0, std::min(temperature, by.range.coldest - slack)),
-                                 std::min(3400.0, std::max(temperature, by.range.hottest + slack)));
+        const double wanted = temperature + at_height(by.shift, z, height);
+        temperature = std::clamp(by.bounded(temperature, wanted, at_height(by.slack, z, height)), 200.0, 3400.0);
         if (temperature != wanted) ++held;
     };
     for (std::size_t i = 0; i < fields.temperature.size(); ++i) {

@@ -188,6 +188,18 @@ class shaft {
         return profile;
     }
 
+    temperature_range range() const {
+        temperature_range found{std::min(scene_.air.temperature, scene_.particles.feed_temperature),
+                                std::max({scene_.air.temperature, scene_.particles.feed_temperature, flame()})};
+        if (burner_gas_.mass > 0) found.coldest = std::min(found.coldest, scene_.burners.temperature);
+        for (std::size_t k = 0; k < cells_; ++k) {
+            if (!(losses_[k] > 0)) continue;
+            found.coldest = std::min(found.coldest, ambients_[k]);
+            found.hottest = std::max(found.hottest, ambients_[k]);
+        }
+        return found;
+    }
+
   private:
     struct passage {
         double heat;         // to the particles [W]
@@ -206,20 +218,6 @@ class shaft {
         return {heat, entering - heat, h};
     }
 
-  public:
-    temperature_range range() const {
-        temperature_range found{std::min(scene_.air.temperature, scene_.particles.feed_temperature),
-                                std::max({scene_.air.temperature, scene_.particles.feed_temperature, flame()})};
-        if (burner_gas_.mass > 0) found.coldest = std::min(found.coldest, scene_.burners.temperature);
-        for (std::size_t k = 0; k < cells_; ++k) {
-            if (!(losses_[k] > 0)) continue;
-            found.coldest = std::min(found.coldest, ambients_[k]);
-            found.hottest = std::max(found.hottest, ambients_[k]);
-        }
-        return found;
-    }
-
-  private:
     /// Of the burners' gas, completely burnt with air as hot as itself where it lacks oxygen [K].
     double flame() const {
         if (!(burner_gas_.mass > 0)) return 0;
@@ -227,14 +225,9 @@ class shaft {
         chem::per_species all = burner_gas_.moles;
         for (std::size_t i = 0; i < chem::species_count; ++i) all[i] += air.moles[i];
         all[chem::O2] = std::max(all[chem::O2], 2 * all[chem::CH4]);  // not a rounding less
-        const gas_flow burnt = gas_flow(all).burnt();
-        const double brought = burner_gas_.heat.enthalpy(scene_.burners.temperature);
-        double low = scene_.burners.temperature, high = 5000;
-        for (int pass = 0; pass < 60; ++pass) {
-            const double middle = 0.5 * (low + high);
-            (burnt.heat.enthalpy(middle) - air.heat.enthalpy(middle) < brought ? low : high) = middle;
-        }
-        return high;
+        chem::nasa7 gained = gas_flow(all).burnt().heat;
+        gained.add(-1, air.heat);  // it comes and leaves with the flame's own temperature
+        return gained.temperature(burner_gas_.heat.enthalpy(scene_.burners.temperature));
     }
 
     void set_gas() {

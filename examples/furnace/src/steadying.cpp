@@ -102,10 +102,8 @@ steadying::leap steadying::shift(const settings& measured, std::size_t turn) {
     leap found{shift_to_steady(measured, temperature, storage), slack, steady_range(measured)};
     const auto leads_beyond = [&](double share) {
         for (std::size_t k = 0; k < found.shift.size(); ++k) {
-            const double t = temperature[k], moved = t + share * found.shift[k];
-            if (moved < std::min(t, found.range.coldest - slack[k]) ||
-                moved > std::max(t, found.range.hottest + slack[k]))
-                return true;
+            const double moved = temperature[k] + share * found.shift[k];
+            if (found.bounded(temperature[k], moved, slack[k]) != moved) return true;
         }
         return false;
     };

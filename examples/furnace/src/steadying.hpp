@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -24,8 +25,7 @@ class steadying {
     void watch(const parcels& bed, double step);
     /// Whether it is time for a shift; not in the last couplings planned, whose balance is the result.
     bool due(int couplings, std::size_t judged) const;
-    /// By how much stones of each slice are to be warmed [K], or nothing; forgets what was watched.  `measured` has the
-    /// bed's void fraction; after `turn` couplings its parcels lie as they lay.
+    /// By how much stones are to be warmed, or nothing.
     ///
     /// A leap is bounded: a steady stone is neither colder nor hotter than steady_range says, so a leap that would
     /// bring a slice beyond it shows that the model does not carry so far, and is halved until it brings none there,
@@ -36,7 +36,14 @@ class steadying {
         std::vector<double> shift, slack;  ///< of each slice [K]
         temperature_range range;
         bool halved = false;
+
+        /// The nearest to `to` that a stone may be led to from `from` [K].
+        double bounded(double from, double to, double slack_here) const {
+            return std::clamp(to, std::min(from, range.coldest - slack_here), std::max(from, range.hottest + slack_here));
+        }
     };
+    /// The next leap; forgets what was watched.  `measured` has the bed's void fraction; after `turn` couplings its
+    /// parcels lie as they lay.
     leap shift(const settings& measured, std::size_t turn);
 
     template <class Part>

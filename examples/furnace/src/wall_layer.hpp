@@ -25,16 +25,18 @@ inline void narrow_wall_layer(const gas::mesh& mesh, double radius, double heigh
     };
     for (int c = 0; c < mesh.owned_cells(); ++c) {
         if (mesh.centre[c].z > height) continue;
-        held[ring(c)] += mesh.volume[c] * solid[static_cast<std::size_t>(c)];
-        volume[ring(c)] += mesh.volume[c];
+        const std::size_t r = ring(c);
+        held[r] += mesh.volume[c] * solid[static_cast<std::size_t>(c)];
+        volume[r] += mesh.volume[c];
     }
     ranks.sum(held.data(), rings);
     ranks.sum(volume.data(), rings);
-    const double mean =
-        std::accumulate(held.begin(), held.end(), 0.0) / std::accumulate(volume.begin(), volume.end(), 0.0);
+    const double mean = std::accumulate(held.begin(), held.end(), 0.0) / std::accumulate(volume.begin(), volume.end(), 0.0);
     for (int c = 0; c < mesh.owned_cells(); ++c) {
-        if (mesh.centre[c].z > height || !(held[ring(c)] > 0)) continue;
-        const double here = held[ring(c)] / volume[ring(c)];
+        if (mesh.centre[c].z > height) continue;
+        const std::size_t r = ring(c);
+        if (!(held[r] > 0)) continue;
+        const double here = held[r] / volume[r];
         solid[static_cast<std::size_t>(c)] *= (mean + (here - mean) / coarse_graining) / here;
     }
 }
