@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-// A settled bed of spheres of 16 to 19.5 mm in a cylinder of 0.85 m, Hertz with history, skin of a tenth of a diameter:
-// time per particle and step of the motion, with lists rebuilt every ten steps, with conduction, and of radiation
-// to 2.5 diameters; beside it LAMMPS and LIGGGHTS with the same bed, contact law, step and skin, where they are
-// installed; rest_speed is what particles at rest still have, root mean square over sqrt(g d).  And the error of a
-// bounce over the steps spent on it.  HEARTH_LARGE in the environment adds the bed of 1.8 million, for itself with
-// --benchmark_filter=1800000: some twenty minutes, with its build, steps and time to settle, and the peak memory of the
-// process (peak_bytes).
+// A settled bed of spheres of 16 to 19.5 mm in a cylinder of 0.85 m, Hertz with history, skin of a tenth of a diameter: time
+// per particle and step of the motion, with lists rebuilt every ten steps, with conduction, and of radiation to 2.5 diameters;
+// beside it LAMMPS and LIGGGHTS with the same bed, contact law, step and skin, where they are installed;
+// rest_speed is what particles at rest still have, root mean square over sqrt(g d).  And the error of a bounce over the steps
+// spent on it.  HEARTH_LARGE in the environment adds the bed of 1.8 million, for itself with --benchmark_filter=1800000: some
+// twenty minutes, with its build, steps and time to settle, and the peak memory of the process (peak_bytes).
+#include <hearth/dem/thermal_bed.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <map>
-#include <memory>
 #include <set>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,6 @@
 
 #include <hearth/closure/feng_han.hpp>
 #include <hearth/closure/zhang.hpp>
-#include <hearth/dem/thermal_bed.hpp>
 #include <hearth/scene/scene.hpp>
 #include <hearth/transfer/conduction.hpp>
 #include <hearth/transfer/radiation.hpp>
@@ -37,8 +37,7 @@ bed& settled(int count) {
     static std::map<int, std::unique_ptr<bed>> beds;
     std::unique_ptr<bed>& b = beds[count];
     if (b) return *b;
-    b = std::make_unique<bed>(count == 20000 ? bench::settled_layer()
-                                             : bench::settled_layers(settled(20000), count / 20000));
+    b = std::make_unique<bed>(count == 20000 ? bench::settled_layer() : bench::settled_layers(settled(20000), count / 20000));
     return *b;
 }
 
@@ -56,9 +55,9 @@ void move(benchmark::State& state, int count, bool rebuild) {
     state.counters["rest_speed"] = bench::speed_of(b) / fall_speed;
 }
 
-/// Nine settled beds of 200 000 on top of one another: built, settled until they rest or for 4000 steps, stepped.  At
-/// rest: slower than after a fall by a thousandth of a radius, root mean square, and floor and cylinder carry the
-/// weight within a hundredth.
+/// Nine settled beds of 200 000 on top of one another: built, settled until they rest or for 4000 steps, stepped.  At rest:
+/// slower than after a fall by a thousandth of a radius, root mean square, and floor and cylinder carry the weight within a
+/// hundredth.
 void move_large(benchmark::State& state) {
     bed b = [&] {
         bed& layer = settled(200000);
@@ -72,8 +71,8 @@ void move_large(benchmark::State& state) {
     const auto at_rest = [&] {
         return bench::speed_of(b) < std::sqrt(2e-3 * 9.81 * 0.0089) && bench::weight_not_carried(b) < 0.01;
     };
-    // The weight of fifteen metres goes down as a wave, a second of motion or 40 000 steps long.  What is left of it
-    // after fewer is told beside the time: rest_speed, weight_not_carried.
+    // The weight of fifteen metres goes down as a wave, a second of motion or 40 000 steps long.  What is left of it after
+    // fewer is told beside the time: rest_speed, weight_not_carried.
     constexpr int most_steps = 4000;
     while (!at_rest() && b.steps() < most_steps) b.advance(250);
     state.counters["settle_seconds"] = bench::processor_seconds() - began;
@@ -116,8 +115,7 @@ void conduct(benchmark::State& state, int count) {
         b.advance(1);
         conducts.links(warm, warm, hearth::no_gas{}, links);
         std::fill(heat.begin(), heat.end(), 0.0);
-        hearth::accumulate(
-            links, b.temperatures(), [&](int patch) { return b.patch_temperature(patch); }, heat);
+        hearth::accumulate(links, b.temperatures(), [&](int patch) { return b.patch_temperature(patch); }, heat);
     }
     bench::set_items(state, b.size());
 }
@@ -134,8 +132,7 @@ void radiate(benchmark::State& state, int count, part what) {
     for (auto _ : state) {
         if (what == part::rates) {
             std::fill(heat.begin(), heat.end(), 0.0);
-            hearth::accumulate(
-                links, b.temperatures(), [&](int patch) { return b.patch_temperature(patch); }, heat);
+            hearth::accumulate(links, b.temperatures(), [&](int patch) { return b.patch_temperature(patch); }, heat);
         } else if (what == part::links) {
             shines.links(warm, warm, hearth::no_gas{}, links);
         } else {
@@ -180,40 +177,26 @@ const bool registered = [] {
     using benchmark::RegisterBenchmark;
     for (const int count : {20000, 200000}) {
         const std::string size = "/particles:" + std::to_string(count);
-        RegisterBenchmark(("motion of a settled bed/settled" + size).c_str(), move, count, false)
-            ->Unit(benchmark::kMillisecond);
-        RegisterBenchmark(("motion of a settled bed/lists every 10 steps" + size).c_str(), move, count, true)
-            ->Unit(benchmark::kMillisecond);
+        RegisterBenchmark(("motion of a settled bed/settled" + size).c_str(), move, count, false)->Unit(benchmark::kMillisecond);
+        RegisterBenchmark(("motion of a settled bed/lists every 10 steps" + size).c_str(), move, count, true)->Unit(benchmark::kMillisecond);
         for (const auto which : {rivals::lammps::kind::lammps, rivals::lammps::kind::liggghts}) {
             if (!rivals::lammps::installed(which)) continue;
             const std::string rival = std::string("motion of a settled bed/") + rivals::lammps::name(which);
-            RegisterBenchmark((rival + size).c_str(), move_rival, which, count, rival_run::settled)
-                ->Unit(benchmark::kMillisecond);
-            RegisterBenchmark((rival + ", lists every 10 steps" + size).c_str(), move_rival, which, count,
-                              rival_run::rebuild)
-                ->Unit(benchmark::kMillisecond);
+            RegisterBenchmark((rival + size).c_str(), move_rival, which, count, rival_run::settled)->Unit(benchmark::kMillisecond);
+            RegisterBenchmark((rival + ", lists every 10 steps" + size).c_str(), move_rival, which, count, rival_run::rebuild)->Unit(benchmark::kMillisecond);
             if (which == rivals::lammps::kind::liggghts)  // the last: it cannot be switched off
-                RegisterBenchmark((rival + ", with conduction" + size).c_str(), move_rival, which, count,
-                                  rival_run::conduct)
-                    ->Unit(benchmark::kMillisecond);
+                RegisterBenchmark((rival + ", with conduction" + size).c_str(), move_rival, which, count, rival_run::conduct)->Unit(benchmark::kMillisecond);
         }
-        RegisterBenchmark(("motion of a settled bed/with conduction" + size).c_str(), conduct, count)
-            ->Unit(benchmark::kMillisecond);
-        RegisterBenchmark(("radiation of a settled bed/rates" + size).c_str(), radiate, count, part::rates)
-            ->Unit(benchmark::kMillisecond);
-        RegisterBenchmark(("radiation of a settled bed/links" + size).c_str(), radiate, count, part::links)
-            ->Unit(benchmark::kMillisecond);
-        RegisterBenchmark(("radiation of a settled bed/list" + size).c_str(), radiate, count, part::list)
-            ->Unit(benchmark::kMillisecond);
+        RegisterBenchmark(("motion of a settled bed/with conduction" + size).c_str(), conduct, count)->Unit(benchmark::kMillisecond);
+        RegisterBenchmark(("radiation of a settled bed/rates" + size).c_str(), radiate, count, part::rates)->Unit(benchmark::kMillisecond);
+        RegisterBenchmark(("radiation of a settled bed/links" + size).c_str(), radiate, count, part::links)->Unit(benchmark::kMillisecond);
+        RegisterBenchmark(("radiation of a settled bed/list" + size).c_str(), radiate, count, part::list)->Unit(benchmark::kMillisecond);
     }
     if (std::getenv("HEARTH_LARGE") != nullptr) {
-        RegisterBenchmark("motion of a settled bed/settled/particles:1800000", move_large)
-            ->Iterations(10)
-            ->Unit(benchmark::kMillisecond);
+        RegisterBenchmark("motion of a settled bed/settled/particles:1800000", move_large)->Iterations(10)->Unit(benchmark::kMillisecond);
     }
     for (const int steps : {10, 20, 50, 100, 1000, 10000}) {
-        RegisterBenchmark(("bounce/ours/steps:" + std::to_string(steps)).c_str(), bounce, steps)
-            ->Unit(benchmark::kMicrosecond);
+        RegisterBenchmark(("bounce/ours/steps:" + std::to_string(steps)).c_str(), bounce, steps)->Unit(benchmark::kMicrosecond);
     }
     return true;
 }();
