@@ -13,11 +13,13 @@
 #include "rivals/voidage.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -303,6 +305,50 @@ void transfer_both_ways(benchmark::State& state, double d_dx) {
     bench::set_items(state, static_cast<double>(particles));
 }
 
+/// What particles see of a gas, six scalars and its velocity, gathered together or one after the other; error: largest
+/// difference between the two, relative to the largest value.
+template <class Mesh>
+void gas_at_particles(benchmark::State& state, double d_dx, bool together) {
+    const auto& on = prepared<Mesh>::at(d_dx);
+    hearth::transfer_operator<Mesh> transfer(on.locator);
+    const auto cells = static_cast<std::size_t>(on.graph.cell_count()), particles = bed().radii.size();
+    std::vector<double> fraction(cells);
+    transfer.distribute(bed(), fraction);
+    hearth_test::seeded random(1);
+    std::array<std::vector<double>, 6> gas;
+    std::vector<std::array<double, 3>> velocity(cells);
+    for (auto& field : gas) {
+        for (std::size_t c = 0; c < cells; ++c) field.push_back(random.uniform(-1, 1));
+    }
+    for (auto& u : velocity) u = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    struct view {
+        std::array<std::vector<double>, 6> scalars;
+        std::vector<std::array<double, 3>> velocity;
+    };
+    const auto see = [&](view& at, bool at_once) {
+        for (auto& field : at.scalars) field.resize(particles);
+        at.velocity.resize(particles);
+        if (at_once) {
+            transfer.gather(std::tie(gas[0], gas[1], gas[2], gas[3], gas[4], gas[5], velocity),
+                            std::tie(at.scalars[0], at.scalars[1], at.scalars[2], at.scalars[3], at.scalars[4], at.scalars[5],
+                                     at.velocity));
+            return;
+        }
+        for (std::size_t k = 0; k < gas.size(); ++k) transfer.gather(gas[k], at.scalars[k]);
+        transfer.gather(velocity, at.velocity);
+    };
+    view seen, other;
+    for (auto _ : state) see(seen, together);
+    see(other, !together);
+    double difference = 0;
+    for (std::size_t p = 0; p < particles; ++p) {
+        for (std::size_t k = 0; k < gas.size(); ++k) difference = std::max(difference, std::abs(seen.scalars[k][p] - other.scalars[k][p]));
+        for (std::size_t a = 0; a < 3; ++a) difference = std::max(difference, std::abs(seen.velocity[p][a] - other.velocity[p][a]));
+    }
+    bench::set_error(state, difference);
+    bench::set_items(state, static_cast<double>(particles));
+}
+
 }  // namespace
 
 template <>
@@ -330,6 +376,15 @@ const bool registered = [] {
         benchmark::RegisterBenchmark(
             ("transfer both ways/stored footprints/d_dx:" + std::to_string(static_cast<int>(d_dx))).c_str(),
             transfer_both_ways, d_dx)
+            ->Unit(benchmark::kMillisecond);
+    }
+    for (const bool together : {true, false}) {
+        const std::string how = together ? "/together/d_dx:2" : "/one by one/d_dx:2";
+        benchmark::RegisterBenchmark(("gas at particles on a lattice" + how).c_str(), gas_at_particles<hearth::lattice>, 2.0,
+                                     together)
+            ->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(("gas at particles on a graded mesh" + how).c_str(), gas_at_particles<graded_mesh>, 2.0,
+                                     together)
             ->Unit(benchmark::kMillisecond);
     }
     // What must move each term: three vectors read and one written; offsets, volumes, six neighbours and conductances.

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -173,6 +174,9 @@ TEST_CASE("transfer operator: the same bits on any number of ranks") {
                 for (const int c : share.cells) gas_here.push_back(gas[static_cast<std::size_t>(c)]);
                 distributed.scatter(sources_here, received);
                 distributed.gather(gas_here, seen);
+                std::vector<double> twice(seen.size()), thrice(seen.size());
+                distributed.gather(std::tie(gas_here, gas_here), std::tie(twice, thrice));
+                if (twice != seen || thrice != seen) throw std::logic_error("fields together differ from one alone");
                 for (std::size_t c = 0; c < field.size(); ++c) {
                     fraction_there[static_cast<std::size_t>(share.cells[c])] = field[c];
                     cells_there[static_cast<std::size_t>(share.cells[c])] = received[c];
@@ -188,6 +192,61 @@ TEST_CASE("transfer operator: the same bits on any number of ranks") {
             CHECK(same(particles_there, at_particles));
         }
     }
+}
+
+TEST_CASE("transfer operator: several fields at once get the bits that each gets alone") {
+    int capped = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        CAPTURE(seed);
+        scene s(seed);
+        const hearth::cell_graph graph(s.mesh);
+        const hearth::cell_locator locator(s.mesh, graph);
+        hearth::transfer_operator<box_mesh> transfer(locator, s.settings);
+        std::vector<double> fraction(s.cells());
+        if (transfer.distribute(s.bed, fraction).cap.smoothed_cells > 0) ++capped;
+
+        // Six columns go as four and two, five as four and one; of doubles and floats, scalars and vectors.
+        const std::vector<double> one = s.numbers(s.cells()), other = s.numbers(s.cells()), third = s.numbers(s.cells());
+        std::vector<std::array<float, 3>> vectors(s.cells());
+        for (std::size_t c = 0; c < s.cells(); ++c) {
+            vectors[c] = {static_cast<float>(one[c]), static_cast<float>(1e6 * other[c]), 0.0F};
+        }
+        std::vector<double> one_seen(s.particles()), other_seen(s.particles()), third_seen(s.particles()), alone(s.particles());
+        std::vector<std::array<float, 3>> vectors_seen(s.particles()), vectors_alone(s.particles());
+        transfer.gather(vectors, vectors_alone);
+        transfer.gather(std::tie(one, vectors, other, third), std::tie(one_seen, vectors_seen, other_seen, third_seen));
+        CHECK(vectors_seen == vectors_alone);
+        transfer.gather(one, alone);
+        CHECK(one_seen == alone);
+        transfer.gather(other, alone);
+        CHECK(other_seen == alone);
+        transfer.gather(third, alone);
+        CHECK(third_seen == alone);
+        std::vector<double> again(s.particles());
+        vectors_seen.assign(s.particles(), {});
+        transfer.gather(std::tie(vectors, other, one), std::tie(vectors_seen, again, one_seen));
+        CHECK(vectors_seen == vectors_alone);
+        transfer.gather(other, alone);
+        CHECK(again == alone);
+
+        std::vector<double> given(s.cells()), given_alone(s.cells());
+        std::vector<std::array<double, 3>> pushed(s.cells()), pushed_alone(s.cells()), forces(s.particles());
+        for (std::size_t i = 0; i < s.particles(); ++i) forces[i] = {one_seen[i], alone[i], -1};
+        transfer.scatter(alone, given_alone);
+        transfer.scatter(forces, pushed_alone);
+        transfer.scatter(std::tie(forces, alone), std::tie(pushed, given));
+        CHECK(pushed == pushed_alone);
+        CHECK(given == given_alone);
+
+        // One bad value: nothing is written.
+        std::vector<double> bad = third;
+        bad[s.cells() / 2] = std::numeric_limits<double>::quiet_NaN();
+        std::vector<double> kept(s.particles(), 7.0), kept_too = kept;
+        CHECK_THROWS_AS(transfer.gather(std::tie(one, bad), std::tie(kept, kept_too)), hearth::bad_value);
+        CHECK(kept == std::vector<double>(s.particles(), 7.0));
+        CHECK(kept_too == kept);
+    }
+    CHECK(capped > 5);
 }
 
 TEST_CASE("transfer operator: a particle moved changes only its own shares, and the map knows its revision") {

@@ -2,6 +2,7 @@
 // What the bed is for the gas, and heat between the two.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "parts.hpp"
 #include "wall_layer.hpp"
@@ -71,8 +72,7 @@ void furnace::parts::exchange_with_gas() {
         exchange.prepare(conductance, guess, mass, caloric_of, clock, model_step, temperature);
         {
             const stopwatch timing(seconds.transfer);
-            shaft.transfer.scatter(exchange.coefficient(), solver.bed.heat_conductance);
-            shaft.transfer.scatter(exchange.source(), solver.bed.heat_source);
+            shaft.transfer.scatter(std::tie(exchange.coefficient(), exchange.source()), std::tie(solver.bed.heat_conductance, solver.bed.heat_source));
         }
         {
             const stopwatch timing(seconds.gas);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include <hearth/core/particle_traits.hpp>
@@ -19,19 +20,15 @@ struct gas_at_particles {
     void gather(const gas::solver& gas, Transfer& transfer, std::size_t particles) {
         for (auto* field : {&temperature, &void_fraction, &density, &viscosity, &conductivity, &specific_heat}) field->resize(particles);
         velocity.resize(particles);
-        transfer.gather(gas.gas.temperature, temperature);
-        transfer.gather(gas.bed.void_fraction, void_fraction);
-        transfer.gather(gas.gas.density, density);
-        transfer.gather(gas.gas.viscosity, viscosity);
-        transfer.gather(gas.gas.conductivity, conductivity);
-        transfer.gather(gas.gas.specific_heat, specific_heat);
         std::vector<std::array<double, 3>> interstitial(gas.gas.density.size());
         for (std::size_t c = 0; c < interstitial.size(); ++c) {
             const auto& u = gas.gas.flow.velocity[c];
             const double e = gas.bed.void_fraction[c];
             interstitial[c] = {u.x / e, u.y / e, u.z / e};
         }
-        transfer.gather(interstitial, velocity);
+        transfer.gather(std::tie(gas.gas.temperature, gas.bed.void_fraction, gas.gas.density, gas.gas.viscosity, gas.gas.conductivity,
+                                 gas.gas.specific_heat, interstitial),
+                        std::tie(temperature, void_fraction, density, viscosity, conductivity, specific_heat, velocity));
     }
 };
 

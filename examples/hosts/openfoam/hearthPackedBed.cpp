@@ -35,6 +35,7 @@
 #include "read_particles.hpp"
 
 #include <array>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -94,8 +95,7 @@ class packed_bed {
             }
             per_slip[i] = along / square / (gas_.void_fraction[i] * gas_.void_fraction[i]);
         }
-        transfer_.scatter(per_slip, coefficient);
-        transfer_.scatter(gas_.force, force);
+        transfer_.scatter(std::tie(per_slip, gas_.force), std::tie(coefficient, force));
         coefficient /= volumes_;
         force /= volumes_;
     }

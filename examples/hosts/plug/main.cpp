@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <hearth/closure/gunn.hpp>
@@ -113,9 +114,8 @@ int main() {
     gas_at_particles gas;
     gas.velocity.resize(cloud.size());
     for (auto* values : {&gas.void_fraction, &gas.temperature, &gas.heat_rate}) values->resize(cloud.size());
-    transfer.gather(void_fraction, gas.void_fraction);
-    transfer.gather(gas_temperature, gas.temperature);
-    transfer.gather(gas_velocity, gas.velocity);
+    transfer.gather(std::tie(void_fraction, gas_temperature, gas_velocity),
+                    std::tie(gas.void_fraction, gas.temperature, gas.velocity));
 
     scene.accumulate(cloud, gas);               // heat into each particle, and out of the gas at it
     transfer.scatter(gas.heat_rate, gas_heat);  // [W] of each cell, a source for your gas equations

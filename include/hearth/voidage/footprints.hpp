@@ -16,6 +16,7 @@
 #include <hearth/core/cell_locator.hpp>
 #include <hearth/core/error.hpp>
 #include <hearth/core/reproducible_sum.hpp>
+#include <hearth/voidage/four.hpp>
 #include <hearth/voidage/visitors.hpp>
 
 namespace hearth {
@@ -53,7 +54,7 @@ class footprints {
         rows_.push_back(0);
         std::vector<sighting> seen;
         seen.reserve(visitors_.size());
-        std::vector<limbs> partial;
+        std::vector<limbs<1>> partial;
         partial.reserve(visitors_.size());
         const reproducible_sum nothing(1.0, most_terms);
         for (const visitor& v : visitors_) {
@@ -66,7 +67,7 @@ class footprints {
             if (std::any_of(nearest.begin(), nearest.end(), is_far))
                 weigh_far(locator, policy, nearest, nothing, partial);
         }
-        owner_scales_ = sum_over_ranks(nothing, partial);
+        owner_scales_ = sum_over_ranks<double>({nothing}, partial);
         for (double& scale : owner_scales_) scale = 1 / scale;
         scales_ = visitors_.bring(owner_scales_);
     }
@@ -84,38 +85,59 @@ class footprints {
                (scales_.capacity() + owner_scales_.capacity()) * sizeof(double);
     }
 
-    /// Adds what each visitor has (one value for each) to the owned cells, in the order of the visitors' ids.
-    void scatter(const std::vector<double>& at_visitors, double* cells) const {
+    /// Adds what each visitor has (one value for each, or one of four fields) to the owned cells, in the order of the
+    /// visitors' ids.
+    template <class Value>
+    void scatter(const std::vector<Value>& at_visitors, Value* cells) const {
         for (std::size_t k = 0; k < visitors_.size(); ++k) {
-            const double amount = at_visitors[k] * scales_[k];
+            const Value amount = scales_[k] * at_visitors[k];
             for (const entry* e = begin(k); e != end(k); ++e) {
-                cells[e->cell] += amount * static_cast<double>(e->weight);
+                cells[e->cell] += static_cast<double>(e->weight) * amount;
             }
         }
     }
 
-    /// Mean of a field of owned cells over each particle's shares, for the particles that this rank owns: the transpose
-    /// of scatter.  bound: no value of the field is larger in magnitude, on any rank.
-    std::vector<double> gather(const double* cells, double bound) const {
-        const reproducible_sum nothing(bound > 0 ? bound : 1.0, most_terms);
-        std::vector<limbs> partial;
+    /// Mean of a field of owned cells, or of four, over each particle's shares, for the particles that this rank owns:
+    /// the transpose of scatter.  bound: no value of the field is larger in magnitude, on any rank.
+    template <class Value>
+    std::vector<Value> gather(const Value* cells, const Value& bound) const {
+        constexpr std::size_t fields = detail::fields_in<Value>;
+        const auto nothing = empty_sums(bound, std::make_index_sequence<fields>{});
+        std::vector<limbs<fields>> partial;
         partial.reserve(visitors_.size());
         for (std::size_t k = 0; k < visitors_.size(); ++k) {
-            reproducible_sum sum = nothing;
-            for (const entry* e = begin(k); e != end(k); ++e) sum.add(static_cast<double>(e->weight) * cells[e->cell]);
-            partial.push_back(take_limbs(sum));
+            auto sums = nothing;
+            for (const entry* e = begin(k); e != end(k); ++e) {
+                for (std::size_t f = 0; f < fields; ++f) {
+                    sums[f].add(static_cast<double>(e->weight) * detail::number(cells[e->cell], f));
+                }
+            }
+            partial.push_back(take_limbs(sums));
         }
-        std::vector<double> result = sum_over_ranks(nothing, partial);
+        std::vector<Value> result = sum_over_ranks<Value>(nothing, partial);
         for (std::size_t i = 0; i < result.size(); ++i) result[i] *= owner_scales_[i];
         return result;
     }
 
   private:
-    using limbs = std::array<std::int64_t, reproducible_sum::limb_count()>;
+    template <std::size_t sums>
+    using limbs = std::array<std::int64_t, sums * reproducible_sum::limb_count()>;
     /// No particle touches more cells; leaves 3 * 30 bits for each sum.
     static constexpr std::int64_t most_terms = std::int64_t{1} << 31;
 
-    static limbs take_limbs(reproducible_sum& sum) { return {sum.limbs()[0], sum.limbs()[1], sum.limbs()[2]}; }
+    template <class Value, std::size_t... f>
+    static std::array<reproducible_sum, sizeof...(f)> empty_sums(const Value& bound, std::index_sequence<f...>) {
+        const auto empty = [](double b) { return reproducible_sum(b > 0 ? b : 1.0, most_terms); };
+        return {empty(detail::number(bound, f))...};
+    }
+
+    template <std::size_t count>
+    static limbs<count> take_limbs(std::array<reproducible_sum, count>& sums) {
+        limbs<count> all;
+        auto to = all.begin();
+        for (reproducible_sum& sum : sums) to = std::copy_n(sum.limbs(), reproducible_sum::limb_count(), to);
+        return all;
+    }
 
     static bool is_far(double nearest) { return nearest > 0; }
 
@@ -131,27 +153,27 @@ class footprints {
     /// The entries of the next visitor, and their sum.
     class row {
       public:
-        row(footprints& all, const reproducible_sum& nothing) : all_(all), sum_(nothing) {}
+        row(footprints& all, const reproducible_sum& nothing) : all_(all), sum_{nothing} {}
         void operator()(std::int32_t cell, double weight) {
             const auto stored = static_cast<float>(weight);
             if (!(stored > 0)) return;  // below the smallest float: nothing, whatever the other weights are
             all_.entries_.push_back({cell, stored});
-            sum_.add(static_cast<double>(stored));
+            sum_[0].add(static_cast<double>(stored));
         }
-        limbs end() {
+        limbs<1> end() {
             all_.rows_.push_back(all_.entries_.size());
             return take_limbs(sum_);
         }
 
       private:
         footprints& all_;
-        reproducible_sum sum_;
+        std::array<reproducible_sum, 1> sum_;
     };
 
     /// Makes the rows of far visitors anew, and keeps the others.
     template <class Locator, class Policy>
     void weigh_far(const Locator& locator, const Policy& policy, const std::vector<double>& nearest,
-                   const reproducible_sum& nothing, std::vector<limbs>& partial) {
+                   const reproducible_sum& nothing, std::vector<limbs<1>>& partial) {
         const std::vector<std::size_t> rows = std::exchange(rows_, {0});
         const std::vector<entry> entries = std::exchange(entries_, {});
         rows_.reserve(rows.size());
@@ -191,14 +213,20 @@ class footprints {
         return {"x coordinate of particle", v.id, v.position[0], where.str()};
     }
 
-    std::vector<double> sum_over_ranks(const reproducible_sum& nothing, const std::vector<limbs>& partial) const {
-        std::vector<reproducible_sum> sums(visitors_.owned_count(), nothing);
-        visitors_.take_back(partial, [&](std::size_t particle, const limbs& some) {
-            for (std::size_t l = 0; l < some.size(); ++l) sums[particle].limbs()[l] += some[l];
+    template <class Value>
+    std::vector<Value> sum_over_ranks(const std::array<reproducible_sum, detail::fields_in<Value>>& nothing,
+                                      const std::vector<limbs<detail::fields_in<Value>>>& partial) const {
+        std::vector<std::decay_t<decltype(nothing)>> sums(visitors_.owned_count(), nothing);
+        visitors_.take_back(partial, [&](std::size_t particle, const auto& some) {
+            auto from = some.begin();
+            for (reproducible_sum& sum : sums[particle]) {
+                for (std::size_t l = 0; l < reproducible_sum::limb_count(); ++l) sum.limbs()[l] += *from++;
+            }
         });
-        std::vector<double> values;
-        values.reserve(sums.size());
-        for (const reproducible_sum& sum : sums) values.push_back(sum.value());
+        std::vector<Value> values(sums.size());
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            for (std::size_t f = 0; f < sums[i].size(); ++f) detail::number(values[i], f) = sums[i][f].value();
+        }
         return values;
     }
 

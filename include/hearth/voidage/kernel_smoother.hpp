@@ -16,6 +16,7 @@
 #include <hearth/core/element.hpp>
 #include <hearth/core/error.hpp>
 #include <hearth/voidage/chebyshev.hpp>
+#include <hearth/voidage/four.hpp>
 #include <hearth/voidage/lattice_stencil.hpp>
 
 namespace hearth {
@@ -66,10 +67,6 @@ class kernel_smoother {
           bound_(spectral_bound(graph)),
           rate_(bound_ > 0 ? 2 / bound_ : 0),
           series_(0.25 * width * width * bound_, settings.tolerance) {
-        const auto total = static_cast<std::size_t>(graph.total_count());
-        if (series_.terms() > 0) {
-            for (auto& vector : work_) vector.resize(total);
-        }
         if constexpr (Communicator::is_distributed) find_border();
     }
 
@@ -79,7 +76,7 @@ class kernel_smoother {
     const cell_graph<Communicator>& graph() const { return *graph_; }
     /// What this rank holds, the graph aside [bytes].
     std::size_t memory() const {
-        return (work_[0].capacity() + work_[1].capacity() + series_.terms()) * sizeof(double) +
+        return work_.memory() + work_of_four_.memory() + series_.terms() * sizeof(double) +
                border_.capacity() * sizeof(index);
     }
 
@@ -87,8 +84,27 @@ class kernel_smoother {
     /// Errors: bad_value for values that are not finite, stale_graph; the field is then as it was.
     template <class Field>
     smoothing_report smooth(Field& field) {
+        return run(field, work_)[0];
+    }
+
+    /// The same for four fields that are stored together: see detail::four.
+    std::array<smoothing_report, detail::four::size> smooth(std::vector<detail::four>& fields) {
+        return run(fields, work_of_four_);
+    }
+
+  private:
+    using index = std::int32_t;
+
+    template <class Value>
+    struct work_vectors {
+        std::vector<Value> b, b_next;
+        std::size_t memory() const { return (b.capacity() + b_next.capacity()) * sizeof(Value); }
+    };
+
+    template <class Field, class Value>
+    std::array<smoothing_report, detail::fields_in<Value>> run(Field& field, work_vectors<Value>& work) {
         graph_->require_current();
-        load(field);
+        load(field, work);
         const std::size_t last = series_.terms();
         if (last > 0) {
             std::vector<detail::clenshaw_term> steps;
@@ -99,16 +115,13 @@ class kernel_smoother {
                     step(static_cast<index>(cell), rest...);
                 };
                 detail::lattice_stencil(*graph_, *graph_->lattice())
-                    .apply(steps, field, work_[0].data(), work_[1].data(), rate_ / graph_->volume(0), by_lists);
+                    .apply(steps, field, work.b.data(), work.b_next.data(), rate_ / graph_->volume(0), by_lists);
             } else {
-                sweep_all(steps, field);
+                sweep_all(steps, field, work);
             }
         }
-        return measure(field);
+        return measure<Value>(field);
     }
-
-  private:
-    using index = std::int32_t;
 
     static double checked(const cell_graph<Communicator>& graph, double width, kernel_settings settings) {
         if (!(width >= 0 && std::isfinite(width))) {
@@ -149,43 +162,48 @@ class kernel_smoother {
     }
 
     /// Starts the recurrence: the last coefficient times the field, and zero.
-    template <class Field>
-    void load(const Field& field) {
+    template <class Field, class Value>
+    void load(const Field& field, work_vectors<Value>& work) {
+        const auto total = series_.terms() > 0 ? static_cast<std::size_t>(graph_->total_count()) : 0;
+        work.b.resize(total);
+        work.b_next.assign(total, Value{});
         std::optional<bad_value> wrong;
         const double c = series_[series_.terms()];
         for (index i = 0; i < graph_->cell_count(); ++i) {
-            const auto value = static_cast<double>(element(field, i));
-            if (!std::isfinite(value) && !wrong) {
-                wrong.emplace("field to smooth, cell", graph_->global_index(i), value, "finite");
+            const auto value = static_cast<Value>(element(field, i));
+            for (std::size_t k = 0; k < detail::fields_in<Value>; ++k) {
+                const double number = detail::number(value, k);
+                if (!std::isfinite(number) && !wrong) {
+                    wrong.emplace("field to smooth, cell", graph_->global_index(i), number, "finite");
+                }
             }
-            if (series_.terms() > 0) work_[0][static_cast<std::size_t>(i)] = c * value;
+            if (total > 0) work.b[static_cast<std::size_t>(i)] = c * value;
         }
         throw_agreed(graph_->communicator(), wrong);
-        std::fill(work_[1].begin(), work_[1].end(), 0.0);
     }
 
     /// One term for one cell, neighbours in the order of their global indices.
-    template <class Input, class Output>
-    void step(index cell, const detail::clenshaw_term& term, const Input& input, const double* b,
-              const double* b_before, Output& output) const {
+    template <class Value, class Input, class Output>
+    void step(index cell, const detail::clenshaw_term& term, const Input& input, const Value* b, const Value* b_before,
+              Output& output) const {
         const index* neighbours = graph_->neighbours();
         const float* conductances = graph_->conductances();
-        double sum = 0;
-        const double here = b[cell];
+        Value sum{};
+        const Value here = b[cell];
         const std::uint32_t end = graph_->row_end(cell);
         for (std::uint32_t k = graph_->row_begin(cell); k < end; ++k) {
             sum += static_cast<double>(conductances[k]) * (b[neighbours[k]] - here);
         }
-        const double value = term.c * static_cast<double>(element(input, cell)) +
-                             term.factor * (here + rate_ / graph_->volume(cell) * sum) - b_before[cell];
+        const Value value = term.c * static_cast<Value>(element(input, cell)) +
+                            term.factor * (here + rate_ / graph_->volume(cell) * sum) - b_before[cell];
         auto&& target = element(output, cell);
         target = static_cast<std::decay_t<decltype(target)>>(value);
     }
 
-    template <class Field>
-    void sweep_all(const std::vector<detail::clenshaw_term>& steps, Field& field) {
-        double* b = work_[0].data();
-        double* b_next = work_[1].data();
+    template <class Field, class Value>
+    void sweep_all(const std::vector<detail::clenshaw_term>& steps, Field& field, work_vectors<Value>& work) {
+        Value* b = work.b.data();
+        Value* b_next = work.b_next.data();
         for (std::size_t s = 0; s < steps.size(); ++s) {
             if (s + 1 < steps.size()) {
                 sweep(steps[s], field, b, b_next, b_next);
@@ -196,9 +214,8 @@ class kernel_smoother {
         }
     }
 
-    template <class Input, class Output>
-    void sweep(const detail::clenshaw_term& term, const Input& input, double* b, const double* b_before,
-               Output& output) {
+    template <class Value, class Input, class Output>
+    void sweep(const detail::clenshaw_term& term, const Input& input, Value* b, const Value* b_before, Output& output) {
         auto under_way = graph_->halo().begin_gather(b);
         auto border = border_.begin();
         for (index c = 0; c < graph_->cell_count(); ++c) {
@@ -212,14 +229,23 @@ class kernel_smoother {
         for (const index c : border_) step(c, term, input, b, b_before, output);
     }
 
-    template <class Field>
-    smoothing_report measure(const Field& field) const {
-        double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    template <class Value, class Field>
+    std::array<smoothing_report, detail::fields_in<Value>> measure(const Field& field) const {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        std::array<smoothing_report, detail::fields_in<Value>> reports;
+        reports.fill({terms(), infinity, -infinity});
         for (index c = 0; c < graph_->cell_count(); ++c) {
-            lowest = std::min(lowest, static_cast<double>(element(field, c)));
-            highest = std::max(highest, static_cast<double>(element(field, c)));
+            const auto value = static_cast<Value>(element(field, c));
+            for (std::size_t k = 0; k < reports.size(); ++k) {
+                reports[k].lowest = std::min(reports[k].lowest, detail::number(value, k));
+                reports[k].highest = std::max(reports[k].highest, detail::number(value, k));
+            }
         }
-        return {terms(), -graph_->communicator().max(-lowest), graph_->communicator().max(highest)};
+        for (smoothing_report& report : reports) {
+            report.lowest = -graph_->communicator().max(-report.lowest);
+            report.highest = graph_->communicator().max(report.highest);
+        }
+        return reports;
     }
 
     const cell_graph<Communicator>* graph_;
@@ -228,7 +254,8 @@ class kernel_smoother {
     double bound_;  // of the eigenvalues of L [1/m^2]
     double rate_;   // 2 / bound_ [m^2]
     heat_kernel_series series_;
-    std::array<std::vector<double>, 2> work_;
+    work_vectors<double> work_;
+    work_vectors<detail::four> work_of_four_;  // empty until four fields are smoothed together
     std::vector<index> border_;
 };
 

@@ -44,8 +44,8 @@ class lattice_stencil {
     /// Does all terms: the first reads b and overwrites b_next, the second the other way round, and so on; the last one
     /// writes to `field`, which is the input of all of them.
     /// general(cell, term, input, b, out before, out) does one cell by the lists.
-    template <class Field, class General>
-    void apply(const std::vector<clenshaw_term>& terms, Field& field, double* b, double* b_next, double rate,
+    template <class Field, class Value, class General>
+    void apply(const std::vector<clenshaw_term>& terms, Field& field, Value* b, Value* b_next, double rate,
                const General& general) const {
         const std::size_t depth = periodic_[2] ? 1 : deepest;  // a plane of a ring has both neighbours at once
         for (std::size_t begin = 0; begin < terms.size(); begin += depth) {
@@ -55,8 +55,8 @@ class lattice_stencil {
                     const std::int64_t plane = front - static_cast<std::int64_t>(s);
                     if (plane < 0 || plane >= cells_[2]) continue;
                     const bool even = (begin + s) % 2 == 0;
-                    const double* from = even ? b : b_next;
-                    double* to = even ? b_next : b;
+                    const Value* from = even ? b : b_next;
+                    Value* to = even ? b_next : b;
                     if (begin + s + 1 == terms.size()) {
                         apply_plane(plane, terms[begin + s], field, from, to, field, rate, general);
                     } else {
@@ -68,30 +68,30 @@ class lattice_stencil {
     }
 
   private:
-    template <class Input, class Output, class General>
-    void apply_plane(std::int64_t k, clenshaw_term term, const Input& input, const double* b, const double* b_before,
+    template <class Value, class Input, class Output, class General>
+    void apply_plane(std::int64_t k, clenshaw_term term, const Input& input, const Value* b, const Value* b_before,
                      Output& output, double rate, const General& general) const {
         const std::int64_t nx = cells_[0], ny = cells_[1], nz = cells_[2];
         for (std::int64_t j = 0; j < ny; ++j) {
             const std::int64_t row = nx * (j + ny * k);
             const bool wraps = (periodic_[1] && (j == 0 || j == ny - 1)) || (periodic_[2] && (k == 0 || k == nz - 1));
             // A wall is a neighbour of the same value: no flux.
-            const double* below = b + (k > 0 ? row - nx * ny : row);
-            const double* south = b + (j > 0 ? row - nx : row);
-            const double* here = b + row;
-            const double* north = b + (j + 1 < ny ? row + nx : row);
-            const double* above = b + (k + 1 < nz ? row + nx * ny : row);
+            const Value* below = b + (k > 0 ? row - nx * ny : row);
+            const Value* south = b + (j > 0 ? row - nx : row);
+            const Value* here = b + row;
+            const Value* north = b + (j + 1 < ny ? row + nx : row);
+            const Value* above = b + (k + 1 < nz ? row + nx * ny : row);
             if (wraps) {
                 for (std::int64_t i = 0; i < nx; ++i) general(row + i, term, input, b, b_before, output);
                 continue;
             }
             general(row, term, input, b, b_before, output);
             for (std::int64_t i = 1; i < nx - 1; ++i) {
-                const double sum = g_[2] * (below[i] - here[i]) + g_[1] * (south[i] - here[i]) +
-                                   g_[0] * (here[i - 1] - here[i]) + g_[0] * (here[i + 1] - here[i]) +
-                                   g_[1] * (north[i] - here[i]) + g_[2] * (above[i] - here[i]);
-                const double value = term.c * static_cast<double>(element(input, row + i)) +
-                                     term.factor * (here[i] + rate * sum) - b_before[row + i];
+                const Value sum = g_[2] * (below[i] - here[i]) + g_[1] * (south[i] - here[i]) +
+                                  g_[0] * (here[i - 1] - here[i]) + g_[0] * (here[i + 1] - here[i]) +
+                                  g_[1] * (north[i] - here[i]) + g_[2] * (above[i] - here[i]);
+                const Value value = term.c * static_cast<Value>(element(input, row + i)) +
+                                    term.factor * (here[i] + rate * sum) - b_before[row + i];
                 auto&& target = element(output, row + i);
                 target = static_cast<std::decay_t<decltype(target)>>(value);
             }

@@ -16,6 +16,7 @@
 #include <hearth/core/cell_locator.hpp>
 #include <hearth/core/element.hpp>
 #include <hearth/core/error.hpp>
+#include <hearth/voidage/columns.hpp>
 #include <hearth/voidage/deposit.hpp>
 #include <hearth/voidage/filtered_fraction_settings.hpp>
 #include <hearth/voidage/footprints.hpp>
@@ -80,8 +81,8 @@ class transfer_operator {
     const locator_type& locator() const { return *locator_; }
     /// What this rank holds, graph and locator aside; footprints that are shared count with each [bytes].
     std::size_t memory() const {
-        return cells_.capacity() * sizeof(double) + cap_.memory() + cap_.log_memory() +
-               (smoother_ ? smoother_->memory() : 0) + (footprints_ ? footprints_->memory() : 0);
+        return cells_.capacity() * sizeof(double) + cells_of_four_.capacity() * sizeof(detail::four) + cap_.memory() +
+               cap_.log_memory() + (smoother_ ? smoother_->memory() : 0) + (footprints_ ? footprints_->memory() : 0);
     }
 
     /// The shares of one particle, by its id: the cells of this rank that get any, and what each gets of 1.  Called on
@@ -103,55 +104,89 @@ class transfer_operator {
     }
 
     /// Sets cells[c], c an owned cell, to what the particles give it: one number or three for each particle and cell,
-    /// in any unit that adds up. Errors, on all ranks: bad_value for values that are not finite, std::logic_error
+    /// in any unit that adds up.  Several fields at once take less time, half of it on a mesh without a lattice:
+    ///     transfer.scatter(std::tie(heat, force), std::tie(heat_source, momentum_source));
+    /// Errors, on all ranks, with the cells as they were: bad_value for values that are not finite, std::logic_error
     /// before distribute(), stale_graph.
     template <class ParticleValues, class CellValues>
-    void scatter(const ParticleValues& particles, CellValues& cells) {
+    void scatter(const ParticleValues& particles, CellValues&& cells) {
+        check_columns<ParticleValues, std::decay_t<CellValues>>();
         require_map();
         const auto& visitors = footprints_->visitors();
-        std::vector<std::vector<double>> result;
-        for (std::size_t a = 0; a < component_count<ParticleValues>; ++a) {
-            std::vector<double> values;
-            std::optional<bad_value> wrong;
-            for (std::size_t i = 0; i < visitors.owned_count(); ++i) {
-                values.push_back(component(element(particles, i), a));
-                if (!std::isfinite(values.back()) && !wrong) {
-                    wrong.emplace("value of particle", visitors.owned(i).id, values.back(), "finite");
-                }
-            }
-            throw_agreed(graph().communicator(), wrong);
+        const auto count = visitors.owned_count();
+        refuse_infinite(particles, count, "value of particle", [&](std::size_t i) { return visitors.owned(i).id; });
+        detail::for_each_block_of_columns<ParticleValues>([&](std::size_t first, auto kind) {
+            using number_type = decltype(kind);
+            std::vector<number_type> values;
+            detail::read_columns(particles, first, count, values);
             spread(visitors.bring(values));
-            result.push_back(cells_);
-        }
-        write(result, cells, static_cast<std::size_t>(graph().cell_count()));
+            detail::write_columns(at_cells<number_type>(), first, cell_count(), cells);
+        });
     }
 
-    /// Sets particles[p], p an owned particle, to the mean of the cells' values over its shares.
+    /// Sets particles[p], p an owned particle, to the mean of the cells' values over its shares.  Several fields at
+    /// once, as in scatter:
+    ///     transfer.gather(std::tie(gas_temperature, gas_velocity), std::tie(gas.temperature, gas.velocity));
     /// Errors: as scatter.
     template <class CellValues, class ParticleValues>
-    void gather(const CellValues& cells, ParticleValues& particles) {
+    void gather(const CellValues& cells, ParticleValues&& particles) {
+        check_columns<CellValues, std::decay_t<ParticleValues>>();
         require_map();
-        std::vector<std::vector<double>> result;
-        for (std::size_t a = 0; a < component_count<CellValues>; ++a) {
-            std::optional<bad_value> wrong;
-            for (std::int32_t c = 0; c < graph().cell_count(); ++c) {
-                const double value = cells_[static_cast<std::size_t>(c)] = component(element(cells, c), a);
-                if (!std::isfinite(value) && !wrong)
-                    wrong.emplace("value of cell", graph().global_index(c), value, "finite");
-            }
-            throw_agreed(graph().communicator(), wrong);
-            cap_.gather(cells_);
-            const smoothing_report smoothed = smoother_->smooth(cells_);
-            result.push_back(footprints_->gather(cells_.data(), std::max(-smoothed.lowest, smoothed.highest)));
-        }
-        write(result, particles, footprints_->visitors().owned_count());
+        refuse_infinite(cells, cell_count(), "value of cell",
+                        [&](std::size_t c) { return graph().global_index(static_cast<std::int32_t>(c)); });
+        detail::for_each_block_of_columns<CellValues>([&](std::size_t first, auto kind) {
+            std::vector<decltype(kind)>& values = at_cells<decltype(kind)>();
+            detail::read_columns(cells, first, cell_count(), values);
+            for_each_field(values, [&](auto field) { cap_.gather(field); });
+            const auto seen = footprints_->gather(values.data(), bound_of(smoother_->smooth(values)));
+            detail::write_columns(seen, first, footprints_->visitors().owned_count(), particles);
+        });
     }
 
   private:
     template <class Values>
     using value = std::decay_t<decltype(element(std::declval<Values&>(), 0))>;
-    template <class Values>
-    static constexpr std::size_t component_count = std::is_arithmetic_v<value<Values>> ? 1 : 3;
+
+    template <class From, class To>
+    static constexpr void check_columns() {
+        static_assert(detail::columns<From>::count == detail::columns<To>::count,
+                      "hearth: transfer_operator: as many numbers for a particle as for a cell");
+    }
+
+    std::size_t cell_count() const { return static_cast<std::size_t>(graph().cell_count()); }
+
+    template <class Value>
+    std::vector<Value>& at_cells() {
+        if constexpr (std::is_same_v<Value, double>) {
+            return cells_;
+        } else {
+            return cells_of_four_;
+        }
+    }
+
+    template <class Value, class Visit>
+    static void for_each_field(std::vector<Value>& values, Visit&& visit) {
+        for (std::size_t k = 0; k < detail::fields_in<Value>; ++k) visit(detail::one_of<Value>(values, k));
+    }
+
+    static double bound_of(const smoothing_report& report) { return std::max(-report.lowest, report.highest); }
+    static detail::four bound_of(const std::array<smoothing_report, detail::four::size>& reports) {
+        detail::four bounds;
+        for (std::size_t k = 0; k < reports.size(); ++k) bounds.of[k] = bound_of(reports[k]);
+        return bounds;
+    }
+
+    template <class Fields, class IdOf>
+    void refuse_infinite(const Fields& fields, std::size_t count, const char* place, const IdOf& id_of) const {
+        std::optional<bad_value> wrong;
+        detail::columns<Fields>::for_each(fields, 0, [&](std::size_t, const auto& field, std::size_t a) {
+            for (std::size_t i = 0; i < count && !wrong; ++i) {
+                const double number = detail::component(element(field, i), a);
+                if (!std::isfinite(number)) wrong.emplace(place, id_of(i), number, "finite");
+            }
+        });
+        throw_agreed(graph().communicator(), wrong);
+    }
 
     const cell_graph<Communicator>& graph() const { return locator_->graph(); }
 
@@ -180,30 +215,6 @@ class transfer_operator {
     void require_map() const {
         graph().require_current();
         if (!footprints_) throw std::logic_error("hearth: transfer_operator has no map; call distribute() first");
-    }
-
-    template <class Value>
-    static double component(const Value& v, std::size_t a) {
-        if constexpr (std::is_arithmetic_v<Value>) {
-            return static_cast<double>(v);
-        } else {
-            return static_cast<double>(element(v, a));
-        }
-    }
-
-    template <class Values>
-    static void write(const std::vector<std::vector<double>>& components, Values& values, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-            auto&& target = element(values, i);
-            if constexpr (component_count<Values> == 1) {
-                target = static_cast<value<Values>>(components[0][i]);
-            } else {
-                for (std::size_t a = 0; a < 3; ++a) {
-                    auto&& along = element(target, a);
-                    along = static_cast<std::decay_t<decltype(along)>>(components[a][i]);
-                }
-            }
-        }
     }
 
     /// Smooths the deposited volumes into cells_ [-], with a series so tight that no cell falls below zero by more than
@@ -258,16 +269,16 @@ class transfer_operator {
         return volume.value();
     }
 
-    /// W on one value for each visitor; the result stays in cells_.
-    void spread(const std::vector<double>& at_visitors) {
-        std::fill(cells_.begin(), cells_.end(), 0.0);
-        footprints_->scatter(at_visitors, cells_.data());
-        for (std::int32_t c = 0; c < graph().cell_count(); ++c)
-            cells_[static_cast<std::size_t>(c)] /= graph().volume(c);
-        smoother_->smooth(cells_);
-        for (std::int32_t c = 0; c < graph().cell_count(); ++c)
-            cells_[static_cast<std::size_t>(c)] *= graph().volume(c);
-        cap_.scatter(cells_);
+    /// W on one value for each visitor, or one of four fields; the result stays at the cells.
+    template <class Value>
+    void spread(const std::vector<Value>& at_visitors) {
+        std::vector<Value>& values = at_cells<Value>();
+        values.assign(cell_count(), Value{});
+        footprints_->scatter(at_visitors, values.data());
+        for (std::size_t c = 0; c < values.size(); ++c) values[c] /= graph().volume(static_cast<std::int32_t>(c));
+        smoother_->smooth(values);
+        for (std::size_t c = 0; c < values.size(); ++c) values[c] *= graph().volume(static_cast<std::int32_t>(c));
+        for_each_field(values, [&](auto field) { cap_.scatter(field); });
     }
 
     const locator_type* locator_;
@@ -275,7 +286,8 @@ class transfer_operator {
     std::shared_ptr<const footprints<Communicator>> footprints_;
     std::optional<kernel_smoother<Communicator>> smoother_;
     volume_fraction_smoother<cell_graph<Communicator>> cap_;
-    std::vector<double> cells_;  // one value for each owned cell, between the steps
+    std::vector<double> cells_;                // one value for each owned cell, between the steps
+    std::vector<detail::four> cells_of_four_;  // the same where several fields go together
     std::uint64_t revision_ = 0;
 };
 

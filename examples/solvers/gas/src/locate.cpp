@@ -112,6 +112,7 @@ int mesh::find_cell(const vector3& point) const {
             least = outside;
             best = c;
         }
+        if (least < 0) break;  // inside this one, so in no other
     }
     return least < 1e-6 ? best : -1;  // warped faces leave gaps of that order between their planes
 }
