@@ -45,7 +45,7 @@ class session {
           scene_(read_scene(command.scene)),
           line_(stdout, command.quiet || !tells()) {
         set_keys(scene_, command.assignments);
-        planned_ = foresee(scene_);
+        planned_ = foresee(scene_, among_.size());
     }
 
     int run() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Heat between stones, and with the wall.
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <hearth/core/particle_halo.hpp>
@@ -59,12 +60,25 @@ class node_places {
 
 }  // namespace
 
+/// This rank needs the neighbours of its own parcels only.
+void furnace::parts::look_at_share() {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const std::int32_t i : share.mine()) {
+        const double z = bed->spheres()[static_cast<std::size_t>(i)].centre.z;
+        low = std::min(low, z);
+        high = std::max(high, z);
+    }
+    if (low > high) low = high = 0;  // none
+    bed->look_between(low, high);
+}
+
 /// Radiation and conduction between parcels and with the wall, whose rings pass on what they get to the ambient.  The wall
 /// sees the parcels even where these do not see each other: what it loses is a matter of its own.
 void furnace::parts::exchange_with_neighbours() {
     wall_loss = 0;
     {
         const stopwatch timing(seconds.links);
+        look_at_share();
         stone_terms.links(cloud(), bed_neighbours{*bed, rings, share}, no_gas{}, links);
         std::size_t k = 0;
         for (const link_part& part : links.parts) {

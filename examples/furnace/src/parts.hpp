@@ -121,6 +121,7 @@ struct furnace::parts {
     void move(double process_time);
     void exchange_with_gas();
     void exchange_with_neighbours();
+    void look_at_share();
     void tell_mechanisms();
     void place_bed();
     /// Height from which on parcels wait in the hopper, as the bed that sinks as a plug has them [m].

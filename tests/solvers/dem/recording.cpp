@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 #include <doctest/doctest.h>
 
@@ -348,6 +350,34 @@ TEST_CASE("frozen bed: stays, and has the contacts, forces and walls of the DEM 
     frozen.for_each_near(2.5, [&](std::int32_t, std::int32_t, double) { ++near; });
     b.for_each_near(2.5, [&](std::int32_t, std::int32_t, double) { ++near_dem; });
     CHECK(near == near_dem);
+    // Between two heights: every pair with one centre there, and none that is far from it.
+    double low = std::numeric_limits<double>::infinity(), high = -low, largest = 0;
+    for (const sphere& s : frozen.spheres()) {
+        low = std::min(low, s.centre.z);
+        high = std::max(high, s.centre.z);
+        largest = std::max(largest, s.radius);
+    }
+    const double from = low + 0.4 * (high - low), to = low + 0.5 * (high - low);
+    const auto between = [&](std::int32_t i) {
+        const double z = frozen.spheres()[static_cast<std::size_t>(i)].centre.z;
+        return z >= from && z <= to;
+    };
+    std::set<std::pair<std::int32_t, std::int32_t>> wanted, seen;
+    frozen.for_each_near(1.5, [&](std::int32_t i, std::int32_t j, double) {
+        if (between(i) || between(j)) wanted.insert(std::minmax(i, j));
+    });
+    frozen.look_between(from, to);
+    frozen.for_each_near(1.5, [&](std::int32_t i, std::int32_t j, double) {
+        for (const std::int32_t k : {i, j}) {
+            const double z = frozen.spheres()[static_cast<std::size_t>(k)].centre.z;
+            CHECK(z >= from - 3 * largest);
+            CHECK(z <= to + 3 * largest);
+        }
+        if (between(i) || between(j)) CHECK(seen.insert(std::minmax(i, j)).second);
+    });
+    CHECK(wanted.size() > 10);
+    CHECK(seen == wanted);
+    CHECK_THROWS_AS(frozen.look_between(1, 0), hearth::bad_value);
     frozen.for_each_near_wall(1.0, [&](std::int32_t, int, double) { ++wall_near; });
     b.for_each_near_wall(1.0, [&](std::int32_t, int, double) { ++wall_near_dem; });
     CHECK(wall_near == wall_near_dem);

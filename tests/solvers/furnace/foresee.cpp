@@ -40,6 +40,14 @@ TEST_CASE("foresee: a shaft that has no mesh is refused before anything is built
     CHECK_THROWS_WITH_AS(foresee(scene), doctest::Contains("mesh: "), bad_scene);
 }
 
+TEST_CASE("foresee: each further rank holds the mesh and the places of all once more") {
+    const settings scene = short_shaft(4, 0.2);
+    const plan one = foresee(scene), three = foresee(scene, 3);
+    // Of a cell six faces, half each, with owner, neighbour, area and centre, and its own volume and centre: 30 numbers.
+    CHECK(three.memory - one.memory > 2 * 8.0 * (30 * static_cast<double>(one.cells) + 4 * static_cast<double>(one.parcels)));
+    CHECK(three.cells == one.cells);
+}
+
 TEST_CASE("foresee: stones in the hopper cost memory of their own") {
     settings scene = short_shaft(4, 0.2);
     set_keys(scene, {"bed.packing=dense", "bed.motion=plug"});

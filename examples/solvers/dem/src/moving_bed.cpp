@@ -133,13 +133,22 @@ double moving_bed::patch_temperature(int patch) const {
     throw bad_value("patch", bad_value::no_index, patch, "that of a wall");
 }
 
+void moving_bed::look_between(double low, double high) {
+    check(low <= high, "low end of what is looked at", low, "at most the high one [m]");
+    if (low == look_low_ && high == look_high_) return;
+    look_low_ = low;
+    look_high_ = high;
+    near_.revision = 0;  // what was found is of another part
+}
+
 const std::vector<bed::pair>& moving_bed::pairs_within(double factor) const {
     check(factor > 0 && std::isfinite(factor), "factor of near pairs", factor, "finite and > 0 [-]");
     if (is_shared())
         check(factor <= std::fmax(1.0, spread_.near_factor), "factor of near pairs", factor,
               "<= near_factor of the decomposition [-]");
     if (near_.revision == revision_ && near_.factor >= factor) return near_.pairs;
-    near_.pairs = detail::near_pairs(spheres(), factor);
+    const double reach = 2 * factor * largest_radius(spheres());
+    near_.pairs = detail::near_pairs(spheres(), factor, look_low_ - reach, look_high_ + reach);
     if (ghost_count() > 0) {
         auto& pairs = near_.pairs;
         pairs.erase(std::remove_if(pairs.begin(), pairs.end(),

@@ -58,7 +58,7 @@ struct plan {
     std::int64_t waiting = 0;                            ///< parcels in the hopper
     int couplings = 0;
     double motion_steps = 0;  ///< of DEM in a coupling, where it moves the bed all the time
-    double memory = 0;   ///< [bytes]
+    double memory = 0;   ///< of all ranks together [bytes]
     double seconds = 0;  ///< of one core like those that this was measured on, +-50 % [s]
     struct omission {
         std::string what;     ///< physics that the scene leaves out
@@ -67,8 +67,8 @@ struct plan {
     };
     std::vector<omission> left_out;
 };
-/// Throws bad_scene for a scene that cannot be built.
-plan foresee(const settings& scene);
+/// On so many ranks, each of which knows the mesh and where everybody is.  Throws bad_scene for a scene that cannot be built.
+plan foresee(const settings& scene, int ranks = 1);
 
 /// The reference furnace as a library: a scene becomes a furnace, which steps and can be looked at.
 ///

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <hearth/core/contact_traits.hpp>
@@ -80,6 +81,9 @@ class moving_bed {
     void set_patch_temperature(int patch, double kelvin);
     double patch_temperature(int patch) const;
 
+    /// From now on only pairs are found of which one centre at least lies between these heights, and perhaps some
+    /// others: for a host that cuts a bed, of which each rank knows all, into slabs of its own [m].
+    void look_between(double low, double high);
     /// Pairs of centres closer than factor * (R_i + R_j), each once; found anew after a move, or for a larger factor.
     /// j may be a ghost, and then the other rank visits the pair too; the factor is at most 1 or the decomposition's:
     /// throws bad_value.
@@ -155,6 +159,7 @@ class moving_bed {
         std::uint64_t revision = 0;
     };
     mutable near_state near_;
+    double look_low_ = -std::numeric_limits<double>::infinity(), look_high_ = -look_low_;
 };
 
 /// A bed that does not move.
