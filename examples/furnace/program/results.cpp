@@ -86,9 +86,11 @@ void results::frame_of(int count, const snapshot& seen, const cell_shapes& shape
     };
     io::vtkhdf_file particles(path("particles"), io::vertices(flat(seen.particle_position)), seen.process_time, MPI_COMM_SELF);
     const auto particle_field = [&](const char* name, const std::vector<double>& values) {
-        if (!values.empty()) particles.cell_field(name, single(values));
+        if (!values.empty()) particles.point_field(name, single(values));
     };
-    particle_field("radius_m", seen.particle_radius);
+    std::vector<double> diameter;
+    for (const double radius : seen.particle_radius) diameter.push_back(2 * radius);
+    particle_field("diameter_m", diameter);
     particle_field("temperature_K", seen.particle_temperature);
     particle_field("heat_transfer_coefficient_W_per_m2K", seen.heat_transfer_coefficient);
     particles.close();

@@ -17,7 +17,7 @@ reader.Update()
 grid = reader.GetOutput()
 assert grid.GetNumberOfPoints() == grid.GetNumberOfCells() == len(rows) > 100
 assert grid.GetFieldData().GetArray("TimeValue").GetValue(0) == time[0]
-fields = {name: grid.GetCellData().GetArray(name) for name in
+fields = {name: grid.GetPointData().GetArray(name) for name in
           ("id", "diameter_m", "temperature_K", "velocity_m_per_s", "spin_rad_per_s", "contacts")}
 for i, (number, x, y, z, diameter, temperature, vx, vy, vz, contacts) in enumerate(rows):
     assert grid.GetPoint(i) == (x, y, z)

@@ -138,7 +138,9 @@ TEST_CASE("pictures: pieces of all ranks, some of them empty, in VTKHDF's layout
     const auto count = points.size() / 3;
     hearth::io::vtkhdf_file picture(path, hearth::io::vertices(points), 12.5);
     picture.cell_field("temperature_K", std::vector<float>(count, 300.0F));
-    picture.cell_field("velocity_m_per_s", std::vector<float>(3 * count, 1.0F), 3);
+    picture.point_field("velocity_m_per_s", std::vector<float>(3 * count, 1.0F), 3);
+    picture.point_field("id", std::vector<std::int64_t>(count, rank()));
+    CHECK_THROWS_AS(picture.point_field("short", std::vector<std::int64_t>(count + 1, 0)), std::logic_error);
     CHECK_THROWS_AS(picture.cell_field("short", std::vector<float>(count + 1, 0.0F)), std::logic_error);
     picture.close();
     const hdf5_file file(path, hdf5_file::mode::read);
@@ -149,6 +151,7 @@ TEST_CASE("pictures: pieces of all ranks, some of them empty, in VTKHDF's layout
     }
     CHECK(file.read_all<std::int64_t>("VTKHDF/NumberOfPoints") == counts);
     CHECK(file.read_all<std::int64_t>("VTKHDF/Offsets") == offsets);
+    CHECK(file.read_all<std::int64_t>("VTKHDF/PointData/id").size() == file.read_all<float>("VTKHDF/CellData/temperature_K").size());
     CHECK(file.read_text_attribute("/VTKHDF", "Type") == "UnstructuredGrid");
     CHECK(file.read_all<double>("VTKHDF/FieldData/TimeValue") == std::vector<double>{12.5});
 }

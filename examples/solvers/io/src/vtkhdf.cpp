@@ -44,14 +44,14 @@ void vtkhdf_file::cell_field(const std::string& name, const std::vector<float>& 
     file_.write("/VTKHDF/CellData/" + name, values, components);
 }
 
-void vtkhdf_file::cell_field(const std::string& name, const std::vector<std::int64_t>& values) {
-    if (values.size() != cells_) throw std::logic_error(name + ": not one value per cell");
-    file_.write("/VTKHDF/CellData/" + name, values);
-}
-
 void vtkhdf_file::point_field(const std::string& name, const std::vector<float>& values, std::size_t components) {
     if (values.size() != points_ * components) throw std::logic_error(name + ": not one value per point");
     file_.write("/VTKHDF/PointData/" + name, values, components);
+}
+
+void vtkhdf_file::point_field(const std::string& name, const std::vector<std::int64_t>& values) {
+    if (values.size() != points_) throw std::logic_error(name + ": not one value per point");
+    file_.write("/VTKHDF/PointData/" + name, values);
 }
 
 }  // namespace hearth::io

@@ -32,16 +32,16 @@ void write_fields(File& file, const bed& b) {
     std::vector<float> values(n);
     const auto write = [&](const char* name, auto&& of) {
         for (std::size_t i = 0; i < n; ++i) values[i] = static_cast<float>(of(static_cast<index>(i)));
-        file.cell_field(name, values);
+        file.point_field(name, values);
     };
     const auto write_vectors = [&](const char* name, auto&& of) {
         std::vector<float> vectors(3 * n);
         for (std::size_t i = 0; i < n; ++i)
             for (int a = 0; a < 3; ++a)
                 vectors[3 * i + static_cast<std::size_t>(a)] = static_cast<float>(of(static_cast<index>(i))[a]);
-        file.cell_field(name, vectors, 3);
+        file.point_field(name, vectors, 3);
     };
-    file.cell_field("id", std::vector<std::int64_t>(b.ids(), b.ids() + n));
+    file.point_field("id", std::vector<std::int64_t>(b.ids(), b.ids() + n));
     write("diameter_m", [&](index i) { return 2 * b.spheres()[i].radius; });
     write("temperature_K", [&](index i) { return b.temperatures()[i]; });
     write_vectors("velocity_m_per_s", [&](index i) { return b.motions()[i].velocity; });

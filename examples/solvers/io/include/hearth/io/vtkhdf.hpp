@@ -29,10 +29,11 @@ class vtkhdf_file {
     /// time: process time that the picture shows [s], kept as field data "TimeValue".
     vtkhdf_file(const std::string& path, const grid_piece& piece, double time, MPI_Comm ranks = MPI_COMM_WORLD);
 
-    /// A value per cell (per particle, for vertices); components 1 or 3.  The name says the unit: "temperature_K".
+    /// A value per cell, or per point; components 1 or 3.  The name says the unit: "temperature_K".  Particles have theirs on
+    /// their points, where ParaView's Glyph and Point Gaussian look for sizes and colours.
     void cell_field(const std::string& name, const std::vector<float>& values, std::size_t components = 1);
     void point_field(const std::string& name, const std::vector<float>& values, std::size_t components = 1);
-    void cell_field(const std::string& name, const std::vector<std::int64_t>& values);
+    void point_field(const std::string& name, const std::vector<std::int64_t>& values);
 
     void close() { file_.close(); }
 
