@@ -64,10 +64,12 @@
 #include <hearth/closure/zhang.hpp>
 
 #include <hearth/voidage/chebyshev.hpp>
+#include <hearth/voidage/columns.hpp>
 #include <hearth/voidage/deposit.hpp>
 #include <hearth/voidage/filtered_fraction.hpp>
 #include <hearth/voidage/filtered_fraction_settings.hpp>
 #include <hearth/voidage/footprints.hpp>
+#include <hearth/voidage/four.hpp>
 #include <hearth/voidage/kernel_smoother.hpp>
 #include <hearth/voidage/lattice_stencil.hpp>
 #include <hearth/voidage/transfer_operator.hpp>
