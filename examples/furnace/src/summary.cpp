@@ -204,7 +204,7 @@ plan foresee(const settings& scene, int ranks) {
     // 34 us a cell and 15 us a parcel in a coupling.
     const auto cells = static_cast<double>(result.cells), parcels = static_cast<double>(result.parcels);
     const double of_parcel = (scene.physics.radiation ? 3900 : 2200) + (scene.bed.motion == bed_motion::recorded ? 1050 : 0);
-    result.memory = 8e7 + 2080 * cells + of_parcel * parcels + 870 * static_cast<double>(result.waiting) +
+    result.memory = 5e7 + 2080 * cells + of_parcel * parcels + 870 * static_cast<double>(result.waiting) +
                     (ranks - 1) * (700 * cells + 600 * parcels);
     result.seconds = scene.time.couplings * (34e-6 * cells + 15e-6 * parcels);
     if (scene.bed.packing == bed_packing::dem) {
