@@ -342,8 +342,10 @@ void gas_at_particles(benchmark::State& state, double d_dx, bool together) {
     see(other, !together);
     double difference = 0;
     for (std::size_t p = 0; p < particles; ++p) {
-        for (std::size_t k = 0; k < gas.size(); ++k) difference = std::max(difference, std::abs(seen.scalars[k][p] - other.scalars[k][p]));
-        for (std::size_t a = 0; a < 3; ++a) difference = std::max(difference, std::abs(seen.velocity[p][a] - other.velocity[p][a]));
+        for (std::size_t k = 0; k < gas.size(); ++k)
+            difference = std::max(difference, std::abs(seen.scalars[k][p] - other.scalars[k][p]));
+        for (std::size_t a = 0; a < 3; ++a)
+            difference = std::max(difference, std::abs(seen.velocity[p][a] - other.velocity[p][a]));
     }
     bench::set_error(state, difference);
     bench::set_items(state, static_cast<double>(particles));

@@ -206,12 +206,14 @@ TEST_CASE("transfer operator: several fields at once get the bits that each gets
         if (transfer.distribute(s.bed, fraction).cap.smoothed_cells > 0) ++capped;
 
         // Six columns go as four and two, five as four and one; of doubles and floats, scalars and vectors.
-        const std::vector<double> one = s.numbers(s.cells()), other = s.numbers(s.cells()), third = s.numbers(s.cells());
+        const std::vector<double> one = s.numbers(s.cells()), other = s.numbers(s.cells()),
+                                  third = s.numbers(s.cells());
         std::vector<std::array<float, 3>> vectors(s.cells());
         for (std::size_t c = 0; c < s.cells(); ++c) {
             vectors[c] = {static_cast<float>(one[c]), static_cast<float>(1e6 * other[c]), 0.0F};
         }
-        std::vector<double> one_seen(s.particles()), other_seen(s.particles()), third_seen(s.particles()), alone(s.particles());
+        std::vector<double> one_seen(s.particles()), other_seen(s.particles()), third_seen(s.particles()),
+            alone(s.particles());
         std::vector<std::array<float, 3>> vectors_seen(s.particles()), vectors_alone(s.particles());
         transfer.gather(vectors, vectors_alone);
         transfer.gather(std::tie(one, vectors, other, third), std::tie(one_seen, vectors_seen, other_seen, third_seen));
