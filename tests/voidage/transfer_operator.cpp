@@ -51,6 +51,23 @@ struct scene {
     hearth::filtered_fraction_settings settings;
 };
 
+/// The same with the map of the bed made.
+struct mapped : scene {
+    explicit mapped(std::uint64_t seed)
+        : scene(seed),
+          graph(mesh),
+          locator(mesh, graph),
+          transfer(locator, settings),
+          fraction(cells()),
+          report(transfer.distribute(bed, fraction)) {}
+
+    hearth::cell_graph<> graph;
+    hearth::cell_locator<box_mesh> locator;
+    hearth::transfer_operator<box_mesh> transfer;
+    std::vector<double> fraction;
+    hearth::filtered_fraction_report report;
+};
+
 template <class Values>
 double sum(const Values& values) {
     long double total = 0;
@@ -76,12 +93,10 @@ TEST_CASE("transfer operator: keeps sums, is its own transpose, and sees constan
     int capped = 0;
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         CAPTURE(seed);
-        scene s(seed);
-        const hearth::cell_graph graph(s.mesh);
-        const hearth::cell_locator locator(s.mesh, graph);
-        hearth::transfer_operator<box_mesh> transfer(locator, s.settings);
-        std::vector<double> fraction(s.cells());
-        const auto report = transfer.distribute(s.bed, fraction);
+        mapped s(seed);
+        auto& transfer = s.transfer;
+        const auto& fraction = s.fraction;
+        const auto& report = s.report;
         if (report.cap.smoothed_cells > 0) ++capped;
         CHECK(report.maximum <= s.settings.threshold * (1 + 1e-14));
 
@@ -198,12 +213,9 @@ TEST_CASE("transfer operator: several fields at once get the bits that each gets
     int capped = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         CAPTURE(seed);
-        scene s(seed);
-        const hearth::cell_graph graph(s.mesh);
-        const hearth::cell_locator locator(s.mesh, graph);
-        hearth::transfer_operator<box_mesh> transfer(locator, s.settings);
-        std::vector<double> fraction(s.cells());
-        if (transfer.distribute(s.bed, fraction).cap.smoothed_cells > 0) ++capped;
+        mapped s(seed);
+        auto& transfer = s.transfer;
+        if (s.report.cap.smoothed_cells > 0) ++capped;
 
         // Six columns go as four and two, five as four and one; of doubles and floats, scalars and vectors.
         const std::vector<double> one = s.numbers(s.cells()), other = s.numbers(s.cells()),

@@ -141,14 +141,29 @@ void moving_bed::look_between(double low, double high) {
     near_.revision = 0;  // what was found is of another part
 }
 
+/// Pairs of those within reach of what is looked at.
+std::vector<bed::pair> moving_bed::looked_at(double factor) const {
+    const double reach = 2 * factor * largest_radius(spheres());
+    std::vector<index> numbers;
+    std::vector<sphere> near;
+    for (std::size_t i = 0; i < spheres().size(); ++i) {
+        const sphere& s = spheres()[i];
+        if (!(s.centre.z >= look_low_ - reach && s.centre.z <= look_high_ + reach)) continue;
+        numbers.push_back(static_cast<index>(i));
+        near.push_back(s);
+    }
+    std::vector<bed::pair> pairs = detail::near_pairs(near, factor);
+    for (bed::pair& p : pairs) p = {numbers[static_cast<std::size_t>(p.i)], numbers[static_cast<std::size_t>(p.j)]};
+    return pairs;
+}
+
 const std::vector<bed::pair>& moving_bed::pairs_within(double factor) const {
     check(factor > 0 && std::isfinite(factor), "factor of near pairs", factor, "finite and > 0 [-]");
     if (is_shared())
         check(factor <= std::fmax(1.0, spread_.near_factor), "factor of near pairs", factor,
               "<= near_factor of the decomposition [-]");
     if (near_.revision == revision_ && near_.factor >= factor) return near_.pairs;
-    const double reach = 2 * factor * largest_radius(spheres());
-    near_.pairs = detail::near_pairs(spheres(), factor, look_low_ - reach, look_high_ + reach);
+    near_.pairs = std::isinf(look_low_) && std::isinf(look_high_) ? detail::near_pairs(spheres(), factor) : looked_at(factor);
     if (ghost_count() > 0) {
         auto& pairs = near_.pairs;
         pairs.erase(std::remove_if(pairs.begin(), pairs.end(),

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "pair_list.hpp"
@@ -48,9 +47,7 @@ void for_each_near_row(const fine_cells& cells, const std::vector<vector3>& cent
     }
 }
 
-/// Pairs of spheres between two heights closer than factor * (R_i + R_j), each once, and perhaps some that are farther apart.
-std::vector<bed::pair> near_pairs(const std::vector<sphere>& spheres, double factor,
-                                  double low = -std::numeric_limits<double>::infinity(),
-                                  double high = std::numeric_limits<double>::infinity());
+/// Pairs of spheres closer than factor * (R_i + R_j), each once, and perhaps some that are farther apart.
+std::vector<bed::pair> near_pairs(const std::vector<sphere>& spheres, double factor);
 
 }  // namespace hearth::dem::detail

@@ -143,6 +143,7 @@ class moving_bed {
     void divide();
     passage part_of(const passage& whole);
     const std::vector<bed::pair>& pairs_within(double factor) const;
+    std::vector<bed::pair> looked_at(double factor) const;
     double distance_to_wall(index i, std::size_t wall_number) const;
 
     surroundings around_;
